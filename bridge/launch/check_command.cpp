@@ -13,6 +13,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/scene/structure_size.hpp"
 #include "bridge/scene/touching_pairs.hpp"
+#include "bridge/scene/two_earthquakes.hpp"
 
 namespace blockweir::launch {
 namespace {
@@ -32,6 +33,7 @@ int check(const CheckOptions& options) {
   SceneFileCheck found = check_scene_file(read, path, overrides);
   std::vector<scene::Diagnostic> warnings = read.warnings;
   std::move(found.warnings.begin(), found.warnings.end(), std::back_inserter(warnings));
+  if (auto twice = scene::two_earthquakes(read.scene)) warnings.push_back(std::move(*twice));
   for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   if (!options.strict) {
     for (const auto& warning : warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));

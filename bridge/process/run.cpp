@@ -33,6 +33,7 @@
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "bridge/scene/two_earthquakes.hpp"
 
 namespace blockweir::process {
 namespace {
@@ -208,10 +209,12 @@ std::string trouble_text(const RunResult& result) {
 RunResult run(const RunOptions& options) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   require_fit(read.scene, options.inproc);
-  if (options.strict) scene::refuse_warnings(read.warnings);
+  std::vector<scene::Diagnostic> warnings = read.warnings;
+  if (auto twice = scene::two_earthquakes(read.scene)) warnings.push_back(std::move(*twice));
+  if (options.strict) scene::refuse_warnings(warnings);
   for (const auto& note : read.notes) fmt::print(stderr, "{}", results::for_stderr(note.text() + "\n"));
   if (!options.quiet) {
-    for (const auto& warning : read.warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
+    for (const auto& warning : warnings) fmt::print(stderr, "{}", results::for_stderr(warning.text() + "\n"));
   }
   const fs::path folder = results_folder(options);
   require_path_of_openfoam(read.scene, folder);

@@ -87,8 +87,9 @@ std::string difference_text(const json& difference) {
   const bool agree = difference["agree"];
   std::string text = agree ? "agree   " : "differ  ";
   if (difference.contains("level_m")) {
-    text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the rise\n        ",
-                        difference["level_m"].get<double>(), difference["relative"].get<double>());
+    text += fmt::format("blocks less limit analysis {:.3g} m, {:.2g} of the {}\n        ",
+                        difference["level_m"].get<double>(), difference["relative"].get<double>(),
+                        difference["relative_to"].get<std::string>());
   } else if (agree) {
     return text + "blocks and limit analysis agree\n";
   }

@@ -93,7 +93,7 @@ json answer_of(const scene::LoadCase& load_case, const process::AskOptions& opti
   draw(answer, "mechanism.png");
   draw(answer.value("load_factor", json::object()), "mechanism-loads.png");
   if (answer.contains("load_factor")) {
-    answer["load_factor"]["loads"] = scene::stated_loads(asked.scene.text);
+    answer["load_factor"]["loads"] = scene::stated_loads(asked.scene);
     answer["load_factor"]["constant"] = constant_loads(asked.scene);
   }
   json bolt_forces = json::array();

@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+
+#include "bridge/scene/at.hpp"
 
 namespace blockweir::solid {
 
@@ -74,6 +77,24 @@ void add_motion_left_out(const scene::Scene& scene, nlohmann::json& answer) {
         solitary ? "the solitary wave" : "the waves", scene.openfoam.wave->height_m, solitary ? "is" : "are",
         solitary ? "it" : "them"));
   }
+}
+
+void add_moved_supports(const scene::Scene& scene, nlohmann::json& answer) {
+  const double end_s = scene.analysis.duration_s;
+  const scene::Support* farthest = nullptr;
+  double most_m = 0;
+  for (const scene::Support& support : scene.supports) {
+    const auto way = [end_s](const auto& course) { return course ? course->at(end_s) : 0; };
+    const double m = std::hypot(way(support.displacement_x_m), way(support.displacement_y_m));
+    if (m <= most_m) continue;
+    most_m = m;
+    farthest = &support;
+  }
+  if (farthest == nullptr) return;
+  answer["warnings"].push_back(fmt::format(
+      "the blocks' answer has each [[support]] where it stands at the run's end, {:.6g} s, led there slowly: that of "
+      "block \"{}\" at ({:.6g}, {:.6g}) by {:.3g} m; limit analysis has the structure as drawn",
+      end_s, scene.blocks[at(farthest->block)].name, farthest->point_m.x(), farthest->point_m.y(), most_m));
 }
 
 bool has_bonds(const scene::Scene& scene) {

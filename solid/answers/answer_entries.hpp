@@ -60,6 +60,9 @@ void add_water_in_an_earthquake(const scene::Scene& scene, nlohmann::json& answe
 /// Warns that a static answer neglects ground motion and incoming waves, if the scene has them.
 void add_motion_left_out(const scene::Scene& scene, nlohmann::json& answer);
 
+/// Says that the blocks' answer has supports where they are led to, if the scene moves any.
+void add_moved_supports(const scene::Scene& scene, nlohmann::json& answer);
+
 /// Whether some joint has a bond that slip or tension can break: cohesion, tension strength or a peak friction.
 bool has_bonds(const scene::Scene& scene);
 

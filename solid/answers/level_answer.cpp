@@ -223,12 +223,17 @@ json assumed_json(const scene::Scene& scene) {
                      uplift ? "with the uplift of its joints" : "and no uplift, as no joint states one");
 }
 
-json difference_json(const Levels& levels) {
+/// Of the head on the joint that fails, where there is one: the rise from the empty reservoir depends on how deep the
+/// scene draws the rock.
+json difference_json(const Levels& levels, const json& by_limit) {
   json answer = {{"reason", levels.reason()}, {"agree", levels.agree()}};
   const auto fails = [](const auto& found) { return found.value && found.value->outcome == Filled::fails; };
   if (fails(levels.blocks) && fails(levels.limit)) {
-    answer["level_m"] = levels.blocks.value->level_m - levels.limit.value->level_m;
-    answer["relative"] = levels.off(*levels.blocks.value);
+    const double less_m = levels.blocks.value->level_m - levels.limit.value->level_m;
+    const double head_m = by_limit.value("head_m", 0.0);
+    answer["level_m"] = less_m;
+    answer["relative"] = head_m > 0 ? less_m / head_m : levels.off(*levels.blocks.value);
+    answer["relative_to"] = head_m > 0 ? "head" : "rise";
   }
   return answer;
 }
@@ -265,12 +270,13 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["limit_analysis"] = limit_json(structure, levels.limit);
   solid::add_what_limit_analysis_takes(structure, answer["limit_analysis"]);
   if (strains) answer["rigid_blocks"] = blocks_json(scene, levels.rigid);
-  answer["difference"] = difference_json(levels);
+  answer["difference"] = difference_json(levels, answer["limit_analysis"]);
   answer["looked_at"] = highest_json(scene, water.range().full_m, answer);
   answer["assumed"] = assumed_json(scene);
   solid::add_water_in_an_earthquake(scene, answer);
   answer["warnings"] = water.warnings();
   solid::add_motion_left_out(scene, answer);
+  solid::add_moved_supports(scene, answer);
   if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
     answer["warnings"].push_back(levels.blocks.value->warning);
   }

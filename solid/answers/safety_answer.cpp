@@ -174,6 +174,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["water"] = now.water ? solid::water_by_kind(scene, make_fluid, now.level_m) : json::array();
   answer["warnings"] = warnings_of_water(now);
   solid::add_motion_left_out(scene, answer);
+  solid::add_moved_supports(scene, answer);
   if (by_limit.value && blocks.value) {
     solid::add_contradiction(*blocks.value, *by_limit.value, answer);
     add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);

@@ -56,7 +56,9 @@ double BaseAxis::displacement(double time_s) const {
 
 BaseMotion::BaseMotion(const scene::Scene& scene) : shakes_(scene.base_motion.has_value()) {
   if (!shakes_) return;
-  moves_supports_ = scene.base_motion->form == scene::BaseForm::support;
+  // Statics has no time to move the ground in: its acceleration at the end is an inertia force in both forms.
+  moves_supports_ =
+      scene.base_motion->form == scene::BaseForm::support && scene.analysis.kind != scene::AnalysisKind::at_rest;
   axes_ = {BaseAxis(scene.base_motion->acceleration_x_m_per_s2), BaseAxis(scene.base_motion->acceleration_y_m_per_s2)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/capacity/released_blocks.hpp"
 
+#include "solid/capacity/static_blocks.hpp"
 #include "solid/watch/failure_watch.hpp"
 #include "solid/watch/fill_motion.hpp"
 #include "solid/watch/make_frame.hpp"
@@ -27,8 +28,9 @@ bool ReleasedBlocks::come_to_rest(double level_m) {
   constexpr int most_steps = 1000;
   constexpr int a_while = 10;  // steps in a row in which all blocks stand
   if (scene_.base_motion) throw Undecided("blocks are not let go in an earthquake");
-  FailureWatch watch(solid_);
   const double end_s = scene_.analysis.duration_s;
+  if (supports_move(solid_)) throw Undecided("blocks are not let go where a [[support]] has moved");
+  FailureWatch watch(solid_);
   watch.look(0, {});
   std::vector<Panel> water;
   for (int step = 0, stood = 0; step < most_steps; ++step) {

@@ -31,6 +31,15 @@ std::string moving_most(const Solid& solid) {
   return solid.scene().blocks[static_cast<std::size_t>(farthest - states.begin())].name;
 }
 
+bool supports_move(const Solid& solid) {
+  const double end_s = solid.scene().analysis.duration_s;
+  const auto& supports = solid.state().supports;
+  return std::any_of(supports.begin(), supports.end(), [end_s](Support support) {
+    support.share = 1;
+    return !support.target(end_s).isZero(0);
+  });
+}
+
 long most_systems(const Solid& solid) {
   constexpr long of_all = 800'000;  // blocks solved for, in the largest group of them that touch
   std::vector<bool> fixed;
@@ -48,7 +57,12 @@ StaticBlocks::StaticBlocks(const scene::Scene& scene, StillWater* water, SearchB
 }
 
 bool StaticBlocks::begin(double level_m) {
-  if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(panels_of(pressures(level_m), solid_));
+  const std::vector<Panel> water = panels_of(pressures(level_m), solid_);
+  if (scene_.analysis.start == scene::Start::equilibrium) solid_.settle(water);
+  if (supports_move(solid_)) {  // slips on that way are none of the loads
+    solid_.advance(scene_.analysis.duration_s, scene_.analysis.duration_s, water);
+    if (!solid_.state().rest.found) return false;
+  }
   if (!rests_at(level_m, 1)) return false;
   most_slip_m_ = far_m_ + solid_.largest_displacement_m();
   return true;

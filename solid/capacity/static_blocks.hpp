@@ -15,6 +15,9 @@ namespace blockweir::solid {
 /// The name of the block whose centroid has moved most from where it was drawn.
 std::string moving_most(const Solid& solid);
 
+/// Whether a support stands elsewhere at the run's end than the scene draws it.
+bool supports_move(const Solid& solid);
+
 /// Linear systems of one analysis that gets anywhere. Others creep, for minutes in a large scene.
 long most_systems(const Solid& solid);
 

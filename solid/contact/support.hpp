@@ -21,10 +21,12 @@ struct Support {
   Point force = Point::Zero();       ///< what acts: multiplier less penalty times separation
   Point inertial = Point::Zero();    ///< its part in mass times acceleration: the force, but for generalized-alpha
   double penalty = 0;
+  Point stood = Point::Zero();  ///< the target that the last step has led it to [m]
+  double share = 1;             ///< of the way to the target: a static analysis begins with the point as drawn
 
   [[nodiscard]] Point target(double time_s) const {
     const auto& [bx, by] = std::pair(described->displacement_x_m, described->displacement_y_m);
-    return {bx ? bx->at(time_s) : 0.0, by ? by->at(time_s) : 0.0};
+    return share * Point(bx ? bx->at(time_s) : 0.0, by ? by->at(time_s) : 0.0);
   }
   /// Of the target about the time [m/s]. In a row of a table it is the mean of before and after: that before would lag
   /// behind a motion whose rows are as far apart as steps.
@@ -38,7 +40,7 @@ struct Support {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(separation, multiplier, force, inertial, penalty);
+    archive(separation, multiplier, force, inertial, penalty, stood, share);
   }
 };
 

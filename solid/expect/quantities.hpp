@@ -13,6 +13,7 @@
 #include "solid/watch/failure_watch.hpp"
 #include "solid/watch/frame.hpp"
 #include "solid/watch/interface_energy.hpp"
+#include "solid/watch/largest_strain.hpp"
 #include "solid/watch/margins.hpp"
 #include "solid/watch/skips.hpp"
 
@@ -26,6 +27,7 @@ struct Outcome {
   const FailureWatch& failure;
   const Margins& margins;
   const EdgeTension& edge_tension;
+  const LargestStrain& strain;
   const AccelerationFit& acceleration;
   const TimeSeries& series;
   const EnergyWatch& energy;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/scene/two_earthquakes.hpp"
 #include "solid/output/checks.hpp"
 #include "solid/output/new_contacts.hpp"
 #include "solid/output/verdict.hpp"
@@ -77,10 +78,12 @@ void add_added_mass(const expect::Outcome& outcome, json& text) {
 
 void add_warnings(const expect::Outcome& outcome, json& warnings) {
   const scene::Scene& scene = outcome.solid.scene();
+  if (const auto twice = scene::two_earthquakes(scene)) warnings.push_back(twice->message());
   for (const std::string& warning :
        {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
-        penetration_warning(outcome), outcome.edge_tension.warning(), new_contacts_warning(outcome),
-        water_on_crest_warning(outcome), outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
+        penetration_warning(outcome), outcome.edge_tension.warning(), outcome.strain.warning(outcome.solid),
+        new_contacts_warning(outcome), water_on_crest_warning(outcome), outcome.added_mass.warning(scene),
+        outcome.interface_energy.warning()}) {
     if (!warning.empty()) warnings.push_back(warning);
   }
 }

@@ -156,6 +156,7 @@ void CoupledSolid::observe(const wire::Load& load, double time_s) {
   acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
   series_.look(solid_, water_.at(time_s), time_s);
   energy_.look(solid_);
+  strain_.look(solid_, time_s);
 }
 
 void CoupledSolid::record() {
@@ -238,6 +239,7 @@ void CoupledSolid::finish(const nlohmann::json& extra, const std::string& stoppe
                                 .failure = failure_,
                                 .margins = margins_,
                                 .edge_tension = edge_tension_,
+                                .strain = strain_,
                                 .acceleration = acceleration_,
                                 .series = series_,
                                 .energy = energy_,

@@ -36,7 +36,7 @@ class CoupledSolid final : public schedule::SolidSide {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(solid_, water_, failure_, margins_, edge_tension_, acceleration_, series_, energy_, added_mass_,
+    archive(solid_, water_, failure_, margins_, edge_tension_, strain_, acceleration_, series_, energy_, added_mass_,
             interface_energy_, history_, frame_log_, vtk_, first_, frame_, last_load_, next_history_s_, next_frame_s_,
             recorded_s_, largest_penetration_m_, breach_, frames_, step_s_, map_s_, watch_s_, output_s_);
   }
@@ -60,6 +60,7 @@ class CoupledSolid final : public schedule::SolidSide {
   FailureWatch failure_;
   Margins margins_;           ///< until something fails
   EdgeTension edge_tension_;  ///< likewise
+  LargestStrain strain_;
   AccelerationFit acceleration_;
   expect::TimeSeries series_;
   EnergyWatch energy_;

@@ -78,7 +78,7 @@ void Solid::advance(double from_s, double to_s, PressureHistory& water, const An
     }
     ++step_.counts.undone_steps;
     state_.next_dt = dt / 4;
-    if (state_.next_dt < smallest_step) refuse_step(time, dt, outcome);
+    if (state_.next_dt < smallest_step) refuse_step(step_, time, dt, outcome);
   }
   // Steps without velocities move a slipping block a short way each: whether it stops is known at the window's end.
   constexpr double balanced = 5e-5;  // of the weight

@@ -17,11 +17,12 @@ namespace {
 constexpr double widest_rounding = 2 * scene::rounding_ratio;
 constexpr double deepest_rounding = 2 * widest_rounding;
 
-std::vector<Support> make_supports(const scene::Scene& scene, const MovingParts& parts) {
+std::vector<Support> make_supports(const Model& model) {
   std::vector<Support> supports;
-  for (const auto& described : scene.supports) {
-    const Anchor anchor = parts.anchor(described.block, described.point_m);
+  for (const auto& described : model.scene.supports) {
+    const Anchor anchor = model.parts.anchor(described.block, described.point_m);
     Support support;
+    support.share = model.is(scene::AnalysisKind::at_rest) ? 0 : 1;
     support.block = anchor.part;
     support.material = anchor.material;
     support.described = &described;
@@ -58,7 +59,7 @@ State::State(Model& model)
       search(model.parts, model.laws, model.size_m, 0.05 * model.typical_width_m(),
              ContactSearch::reach_per_move * model.scene.analysis.max_displacement_ratio * model.size_m) {
   blocks = first_motions(model);
-  supports = make_supports(model.scene, model.parts);
+  supports = make_supports(model);
   for (const scene::Bolt& bolt : model.scene.bolts) bolts.push_back(make_bolt(bolt, model.parts));
   for (const Block& block : model.blocks) placements.emplace_back(block.centroid, Vector6::Zero());
   search.update(placements, contacts);

@@ -14,13 +14,24 @@ class StaticAnalysis : StepPart {
   StaticAnalysis(StepWorkspace& step, TimeStep& time_step)
       : StepPart(step), time_step_(time_step), methods_(step, time_step) {}
 
-  /// Steps under the loads of that time; the result is in the state.
+  /// Steps under the loads of that time, once supports stand where they do then; the result is in the state.
   void come_to_rest(const std::vector<Panel>& water, double at_s);
   /// Unbalanced force of the last step over the weight. Velocities are reset at every step, so that inertia equals the
   /// unbalanced force.
   [[nodiscard]] double unbalanced_ratio() const;
 
  private:
+  struct Search {
+    int most_steps;
+    double balanced;  ///< largest unbalanced force of a state of rest, over the weight
+  };
+
+  /// Leads supports from where the scene draws them to where they stand at that time, joints slipping and opening on
+  /// the way. Once they are there it does nothing. False if something fails on the way; throws SolveError if no states
+  /// are found on it.
+  bool lead_supports(const std::vector<Panel>& water, double at_s);
+  void find_rest(const std::vector<Panel>& water, double at_s, const Search& search);
+
   TimeStep& time_step_;
   StepMethods methods_;
 };

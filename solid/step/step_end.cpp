@@ -74,6 +74,7 @@ bool StepEnd::accept(const Stretch& stretch, const StepMode& mode) {
     if (!mode.settles) AngularMomentum(step_).restore(island);
     any_slips = formulation_->accept(trial_.now(), island.island_contacts()) || any_slips;
   }
+  for (Support& support : state_.supports) support.stood = support.target(end_s);
   for (Bolt& bolt : state_.bolts) solid::accept(trial_.now(), model_.base.displacement(end_s), bolt);
   for_each(model_.blocks.size(), [&](std::size_t b) {
     if (trial_.frozen[b] && !model_.base.moves_supports()) return;

@@ -49,7 +49,8 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
   }
 }
 
-/// Besides the target, the work counts what the point moves by the mean of its velocities beyond its displacement. Only
+/// Steps without velocities have lengths of their own: the way is that from where the last step has left the target.
+/// Besides it, the work counts what the point moves by the mean of its velocities beyond its displacement. Only
 /// generalized-alpha has such a difference, and much of it where the target starts or stops with a leap of its
 /// velocity.
 void StepEnergy::give_by_support(int k, double dt) const {
@@ -61,7 +62,7 @@ void StepEnergy::give_by_support(int k, double dt) const {
   const Placement& placement = trial_.placement[b];
   const Vector6 increment = model_.blocks[b].is_part() ? trial_.corner_increment(b) : trial_.increment[b];
   const Vector6 beyond = dt / 2 * (trial_.began_with[b] + state_.blocks[b].velocity) - increment;
-  give(b, force.dot(support.target(trial_.end_s) - support.target(trial_.end_s - dt)) +
+  give(b, force.dot(support.target(trial_.end_s) - support.stood) +
               placement.generalized(force, support.material).dot(trial_.rate(b, placement, beyond)));
 }
 

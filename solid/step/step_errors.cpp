@@ -11,18 +11,58 @@
 #include "solid/block/parallel.hpp"
 
 namespace blockweir::solid {
+namespace {
 
-void refuse_step(double time_s, double dt, Outcome last) {
+/// A support, and how far it goes [m].
+struct Led {
+  const Support* support = nullptr;
+  double way_m = 0;
+};
+
+/// The support that goes farthest; none where none moves.
+template <class Way>
+Led farthest_led(const StepWorkspace& step, Way way) {
+  Led farthest;
+  for (const Support& support : step.state.supports) {
+    if (const double m = way(support).norm(); m > farthest.way_m) farthest = {&support, m};
+  }
+  return farthest;
+}
+
+std::string name_of(const StepWorkspace& step, const Support& support) {
+  const scene::Support& described = *support.described;
+  return fmt::format("the [[support]] of block \"{}\" at ({:.6g}, {:.6g})",
+                     step.model.scene.blocks[at(described.block)].name, described.point_m.x(), described.point_m.y());
+}
+
+}  // namespace
+
+void refuse_step(const StepWorkspace& step, double time_s, double dt, Outcome last) {
+  const Led led =
+      farthest_led(step, [&](const Support& s) -> Point { return s.target(time_s + dt) - s.target(time_s); });
+  const bool leads = led.support != nullptr;
+  const std::string by_support = leads ? fmt::format("{} goes farthest in it, by {:.3g} m at {:.3g} m/s; ",
+                                                     name_of(step, *led.support), led.way_m, led.way_m / dt)
+                                       : "";
   if (last == Outcome::too_far) {
     throw SolveError(
         fmt::format("at {:.6g} s blocks move by more than [analysis] max_displacement_ratio in a step, or turn too far "
-                    "to find their contacts, even in a step of {:.3g} s; are velocities and loads in the right units?",
-                    time_s, dt));
+                    "to find their contacts, even in a step of {:.3g} s; {}are {} in the right units?",
+                    time_s, dt, by_support, leads ? "its displacements and times" : "velocities and loads"));
   }
   throw SolveError(
-      fmt::format("the contact states did not settle at {:.6g} s, even with a step of {:.3g} s; a smaller [analysis] "
+      fmt::format("the contact states did not settle at {:.6g} s, even with a step of {:.3g} s; {}a smaller [analysis] "
                   "step_s or a larger [contact] max_iterations may help",
-                  time_s, dt));
+                  time_s, dt, by_support));
+}
+
+void refuse_supports(const StepWorkspace& step, double share, double at_s) {
+  const Led led = farthest_led(step, [at_s](const Support& s) { return s.target(at_s); });
+  throw SolveError(
+      fmt::format("no equilibrium was found with the supports beyond {:.3g} % of their way to where they stand at "
+                  "{:.6g} s; {} goes farthest, by {:.3g} m; expected displacements that blocks and joints can follow; "
+                  "look for supports that pull a block apart, and for mm written as m",
+                  100 * share, at_s, name_of(step, *led.support), led.way_m));
 }
 
 void require_small_strains(const StepWorkspace& step) {

@@ -7,7 +7,9 @@
 
 namespace blockweir::solid {
 
-[[noreturn]] void refuse_step(double time_s, double dt, Outcome last);
+[[noreturn]] void refuse_step(const StepWorkspace& step, double time_s, double dt, Outcome last);
+/// Supports of a static analysis could be led that share of their way only.
+[[noreturn]] void refuse_supports(const StepWorkspace& step, double share, double at_s);
 /// No initial equilibrium was found in so many steps; `last` is the outcome of the last one.
 [[noreturn]] void refuse_start(const StepWorkspace& step, int steps, int most_steps, Outcome last);
 [[noreturn]] void refuse_number(const StepWorkspace& step, std::size_t b, const char* what, double time_s);

@@ -50,12 +50,33 @@ TEST_F(Answers, LevelsOfBothWaysThatDifferByLessThanAnEngineerReadsAgree) {
       EXPECT_LE(std::abs(found["relative"].get<double>()), 1e-5);
       EXPECT_TRUE(found["agree"].get<bool>()) << text("out");
       EXPECT_THAT(text("out"),
-                  ContainsRegex("\nagree   blocks less limit analysis [^\n]* m, [^\n]* of the rise\n        "
+                  ContainsRegex("\nagree   blocks less limit analysis [^\n]* m, [^\n]* of the head\n        "
                                 "reason: strain, and the width of the search\n"));
     }
   }
   ASSERT_EQ(ask("level s.toml --quiet --out r --set analysis.rigid=\\\"all\\\""), 0) << text("out");
-  EXPECT_THAT(text("out"), HasSubstr("of the rise\n        reason: the width of the search\n"));
+  EXPECT_THAT(text("out"), HasSubstr("of the head\n        reason: the width of the search\n"));
+}
+
+/// The share of the head that the two ways differ by: how deep the rock is drawn has no part in it.
+TEST_F(Answers, TheDifferenceOfTwoWaysDoesNotDependOnHowDeepTheRockIsDrawn) {
+  write("s.toml", block_on_rock(4, "friction_angle_deg = 25\n"));
+  std::vector<double> shares;
+  for (const char* below : {"-6", "-60"}) {
+    fs::remove_all(folder / "o");
+    ASSERT_EQ(ask(fmt::format("level s.toml --quiet --out o --json a.json --set "
+                              "'block.rock.vertices_m=[[-20, {0}], [45, {0}], [45, 0], [-20, 0]]'",
+                              below)),
+              0)
+        << text("out");
+    const json found = answer("a.json");
+    const json& difference = found["difference"];
+    EXPECT_EQ(difference["relative_to"], "head");
+    shares.push_back(difference["relative"].get<double>());
+    EXPECT_NEAR(shares.back() * found["limit_analysis"]["head_m"].get<double>(), difference["level_m"].get<double>(),
+                1e-12);
+  }
+  EXPECT_NEAR(shares[0], shares[1], 1e-6);
 }
 
 TEST_F(Answers, TwoWaysThatFindNoLevelAgree) {

@@ -54,6 +54,28 @@ TEST_F(Said, AnOutThatCannotBeAPathIsRefused) {
   EXPECT_FALSE(fs::exists(folder / "a"));
 }
 
+/// Before the run and after it, and by `check`.
+TEST_F(Said, AnEarthquakeThatCountsTwiceAndABlockThatIsTornAreNamed) {
+  std::string torn = block;
+  torn.replace(torn.find("2.4"), 3, "2400");
+  for (const auto& [x, way] : {std::pair{"0.2", "0"}, std::pair{"0.8", "{ from = 0, rate_per_s = 1, to = 0.1 }"}}) {
+    torn += std::string("[[support]]\nblock = \"block\"\npoint_m = [") + x + ", 0.2]\ndisplacement_x_m = " + way + "\n";
+  }
+  scene(torn +
+        "[earthquake]\nhorizontal_coefficient = 0.1\n[base_motion]\nacceleration_x_m_per_s2 = { sine = 1, "
+        "frequency_hz = 2 }\n");
+  ASSERT_EQ(shell(programs + "/blockweir check s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("s.toml: warning: a run has the earthquake twice: "));
+  ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), AllOf(HasSubstr("s.toml: warning: a run has the earthquake twice: "),
+                                 HasSubstr("WARNING a run has the earthquake twice: "),
+                                 HasSubstr("WARNING block \"block\" is strained by 0.1"),
+                                 HasSubstr("its 2 supports pull it apart or together")));
+  EXPECT_EQ(shell(programs + "/blockweir run s.toml --out strict --strict"), 2);
+  ASSERT_EQ(shell(programs + "/blockweir safety s.toml"), 0) << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("twice")));
+}
+
 /// Springs that give way by a centimetre, and by a micrometre.
 TEST_F(Said, BlocksThatAreInEachOtherAreNamed) {
   std::string heavy = block;

@@ -122,6 +122,22 @@ class SceneRecord : public SceneFolder {
   }
 };
 
+/// A scale of its own may be what makes a record too large.
+TEST_F(SceneRecord, ThatIsTooLargeHasItsScaleNamed) {
+  static_cast<void>(write("r.csv", "0, 1\n1, 4\n2, 0\n"));
+  const auto said = [&](const std::string& keys) {
+    std::string all;
+    for (const Diagnostic& d : read(shaken("r.csv", keys)).warnings) all += d.text() + "\n";
+    return all;
+  };
+  EXPECT_THAT(said(", scale = 9.81"),
+              HasSubstr("acceleration_x_m_per_s2 in [base_motion] reaches 39.24 m/s2, which is unusual; expected up to "
+                        "30 m/s2; the rows of r.csv are multiplied by scale = 9.81: take it out where they are in "
+                        "m/s2, and give 0.01 where they are in cm/s2"));
+  static_cast<void>(write("r.csv", "0, 1\n1, 40\n2, 0\n"));
+  EXPECT_THAT(said(""), HasSubstr("981 is cm/s2: give scale = 0.01 beside the record"));
+}
+
 TEST_F(SceneRecord, IsReadByColumnStepAndScale) {
   static_cast<void>(write("r.csv", "# station 7\ntime_s, east_g, north_g\n0, 1, 10\n\n0.5, +2e0, 20\n1, 3, 30\n"));
   const TimeTable second = read(shaken("r.csv")).scene.base_motion->acceleration_x_m_per_s2;

@@ -71,6 +71,21 @@ TEST(SceneSampling, ASupportThatIsMovedToAndFroWithinAStep) {
       34, {"displacement_x_m in [[support]] is 0.01 at 0.105 s, which the run does not read"});
 }
 
+/// No block follows a jump; a fast path it does follow, in shorter steps, but few engineers mean one.
+TEST(SceneSampling, ASupportThatLeapsOrFlies) {
+  const auto led = [](const std::string& path) { return with("displacement_x_m = 0", "displacement_x_m = " + path); };
+  expect_warning(led("{ steps = [[0, 0], [1, 0.05]] }"), 34,
+                 {"displacement_x_m in [[support]] leaps by 0.05 m at 1 s: no block follows a jump",
+                  "jumps of at most failure_displacement_m, 0.004 m"});
+  expect_warning(
+      led("{ sine = 20, frequency_hz = 0.5 }"), 34,
+      {"displacement_x_m in [[support]] goes 0.6282 m from", "within step_s, 0.01 s, which is unusual: 62.8 m/s",
+       "up to 0.02 m", "write values that are in mm as m"});
+  EXPECT_THAT(warnings(led("{ steps = [[0, 0], [1, 0.001]] }")), IsEmpty());
+  EXPECT_THAT(warnings(led("{ sine = 0.02, frequency_hz = 0.5 }")), IsEmpty());
+  EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", led("0.05"))), IsEmpty());
+}
+
 /// By a sine of 2 Hz windows of 0.1 s lose 1 - (sin(x)/x)^2 of its power, x = pi f w.
 TEST(SceneSampling, ARecordThatIsFastAgainstTheWindowsOfAReservoir) {
   const auto shaken = [](const std::string& window_s) {

@@ -215,20 +215,6 @@ void check_crack_width(const toml::table& file, const Scene& scene, double size_
                    "narrow it, or leave it out");
 }
 
-void check_shaking(const toml::table& file, const Scene& scene, Problems& problems) {
-  constexpr double most = 30;  // m/s2, three times gravity
-  if (!scene.base_motion) return;
-  for (const auto& [key, table] : {std::pair{"acceleration_x_m_per_s2", &scene.base_motion->acceleration_x_m_per_s2},
-                                   {"acceleration_y_m_per_s2", &scene.base_motion->acceleration_y_m_per_s2}}) {
-    double largest = table->sine ? std::abs(table->sine->amplitude) : 0;
-    for (const double value : table->value) largest = std::max(largest, std::abs(value));
-    if (largest <= most) continue;
-    problems.warning(problems.at(file["base_motion"][key].node()->source()),
-                     fmt::format("{} in [base_motion] reaches {:.4g} m/s2, which is unusual", key, largest),
-                     fmt::format("up to {} m/s2", most), "981 is cm/s2: give scale = 0.01 beside the record");
-  }
-}
-
 /// 30 in GPa is 30e9, 2.4 in t/m3 is 2400.
 std::string in_own_unit(double value, double size) {
   constexpr double long_number = 1e5;
@@ -271,7 +257,6 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
   check_lengths(file, scene, size_m, problems);
   check_size(scene, size_m, problems);
   check_crack_width(file, scene, size_m, problems);
-  check_shaking(file, scene, problems);
   check_proportions(file, scene, problems);
   check_levels(file, scene, problems);
   check_gaps(scene, problems);

@@ -132,6 +132,7 @@ void read_sections(Reading& reading, ReadScene& result) {
   check_dipping_uplift(reading);
   check_reservoir(reading);
   check_shaken_water(reading);
+  check_leaps(reading);
   check_surface(reading);
   check_drift(reading);
   check_magnitudes(reading.file, reading.scene, reading.problems);

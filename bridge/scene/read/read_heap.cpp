@@ -53,7 +53,7 @@ void read_heap(TableReader& table, Reading& reading) {
   table.number("width_m", heap.width_m, length, true);
   table.number("size_m", heap.size_m, length, true);
   table.integer("blocks", heap.blocks, 1, most_blocks);
-  if (table.has("corners")) table.integer("corners", heap.corners, 3);
+  table.integer("corners", heap.corners, 3);
   table.integer("seed", heap.seed, 0);
   table.flag("box", heap.box);
   if (reading.problems.count() > errors || !few_enough(reading, table, heap.blocks)) return;

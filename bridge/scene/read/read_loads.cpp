@@ -132,19 +132,6 @@ std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
   return blocks;
 }
 
-/// Where a point begins elsewhere than drawn, it leaps there.
-void warn_of_leap(TableReader& table, const char* key, const std::optional<TimeTable>& course, int index,
-                  Reading& reading) {
-  const Block* block = reading.sound_block(index);
-  const double begins_m = course ? course->at(0) : 0;
-  if (block == nullptr || std::abs(begins_m) <= tolerance_m(*block)) return;
-  reading.problems.warning(
-      table.place(key),
-      fmt::format("{} in {} is {:.4g} m at time 0: the point leaps there", key, table.name(), begins_m),
-      "0 at time 0, as the blocks are drawn",
-      fmt::format("write {} = {{ from = 0, rate_per_s = ..., to = {:.4g} }}", key, begins_m));
-}
-
 /// Two supports that hold one point at different places.
 void reject_contradiction(TableReader& table, const Support& support, Reading& reading) {
   const Block* block = reading.sound_block(support.block);
@@ -176,8 +163,6 @@ void read_supports(Reading& reading) {
       reject(table, reading.problems, "holds nothing", "displacement_x_m, displacement_y_m or both",
              "write displacement_y_m = 0 to hold the point in y");
     }
-    warn_of_leap(table, "displacement_x_m", support.displacement_x_m, support.block, reading);
-    warn_of_leap(table, "displacement_y_m", support.displacement_y_m, support.block, reading);
     reject_contradiction(table, support, reading);
     reading.scene.supports.push_back(std::move(support));
   });

@@ -184,7 +184,7 @@ void read_water_expectations(Reading& reading) {
     table.number("value", e.value);
     table.text("of", e.of);
     Point at;
-    if (table.has("at_m") && table.point("at_m", at)) e.at_m = at;
+    if (table.point("at_m", at)) e.at_m = at;
     table.number("tolerance", e.tolerance, positive());
     table.text("source", e.source);
     if (table.has("of") && !e.of.empty()) static_cast<void>(table.reference("of", blocks));

@@ -26,7 +26,7 @@ void reject_longer_than_duration(TableReader& table, Reading& reading, const cha
 /// at_m; the point is on the block that `of` names.
 void read_point(TableReader& table, Reading& reading, Expectation& e) {
   Point point;
-  if (!table.has("at_m") || !table.point("at_m", point)) return;
+  if (!table.point("at_m", point)) return;
   e.at_m = point;
   const auto& blocks = reading.scene.blocks;
   const auto block = std::find_if(blocks.begin(), blocks.end(), [&](const Block& b) { return b.name == e.of; });

@@ -193,6 +193,7 @@ void read_section(Reading& reading) {
     table.points("outline_m", section.outline);
     table.outlines("holes_m", section.holes);
     read_mesh_size(table, reading, whole.fixed ? "fixed" : nullptr, section.outline, whole.mesh_size_m);
+    table.know("held_points_m");
     if (table.has("held_points_m")) table.points("held_points_m", held, 1);
   }
   bool ready = sound(table, reading, "outline_m", "the section's outline", section.outline);

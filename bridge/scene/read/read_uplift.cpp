@@ -44,6 +44,7 @@ void read_drain(TableReader& table, Reading& reading, Uplift law, KnownHeads& kn
 void read_piezometers(TableReader& table, Reading& reading, KnownHeads& known) {
   const bool followed = !known.piezometers.empty();
   std::vector<Point> rows;
+  table.know("piezometers_m");
   if (table.has("piezometers_m")) table.points("piezometers_m", rows, 1);
   table.number("piezometers_level_m", known.level_m);
   if (table.has("piezometers_m")) known.piezometers.clear();

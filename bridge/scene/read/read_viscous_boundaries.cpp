@@ -127,9 +127,9 @@ void read_viscous_boundaries(Reading& reading) {
     const bool stated = table.has("from_m") || table.has("to_m");
     const int index = table.reference("block", reading.blocks, /*required=*/stated);
     const int material = table.reference("material", reading.materials, /*required=*/false);
-    if (index < 0 && (stated || table.has("block"))) return table.know("from_m"), table.know("to_m");
+    table.know("from_m"), table.know("to_m");
+    if (index < 0 && (stated || table.has("block"))) return;
     if (const Block* block = reading.sound_block(index); block != nullptr && block->fixed) {
-      table.know("from_m"), table.know("to_m");
       reading.problems.error(table.place("block"),
                              fmt::format("{} has no effect: block \"{}\" is fixed", table.name(), block->name),
                              "a block that can move", "take fixed = true from the block, or leave the boundary out");

@@ -81,7 +81,7 @@ void read_water(Reading& reading) {
   // The consistent forces of a linear pressure do not depend on their number.
   if (!table.has("elements_per_face") && w.nodal_rule == NodalRule::consistent) w.elements_per_face = 1;
   table.number("open_crack_width_m", w.open_crack_width_m, positive());
-  if (table.has("wets_ends")) table.flag("wets_ends", w.wets_ends.emplace());
+  if (bool wets = false; table.flag("wets_ends", wets)) w.wets_ends = wets;
   table.flag("may_overtop", w.may_overtop);
   table.choice<CrestPressure>(
       "crest_pressure", w.crest_pressure,

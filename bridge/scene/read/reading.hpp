@@ -147,13 +147,15 @@ double highest(const TimeTable& level, double duration_s);
 /// Warns of keys without effect in a valid scene.
 void check_effects(const Reading& reading);
 
-/// Warns of records that are far longer than the run.
-void check_records(Reading& reading);
+/// Warns of records whose times or accelerations may be in another unit.
+void check_records(const Reading& reading);
 /// Warns of uplift laws that leave a part of the pressure out where a crack dips, in a valid scene.
 void check_dipping_uplift(const Reading& reading);
 /// Warns of reservoir loads that do not act as stated, in a valid scene.
 void check_reservoir(const Reading& reading);
 void check_shaken_water(const Reading& reading);
+/// Warns of supports that leap from where the blocks are drawn, or later.
+void check_leaps(const Reading& reading);
 /// Reports a pool of model = "reservoir" that is shut in as the scene draws it.
 void check_surface(const Reading& reading);
 /// Call last.

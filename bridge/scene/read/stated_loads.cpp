@@ -5,14 +5,23 @@
 
 namespace blockweir::scene {
 
-std::vector<std::string> stated_loads(const std::string& text) {
+namespace {
+
+bool acts(const BaseMotion& motion, double time_s) {
+  return motion.acceleration_x_m_per_s2.at(time_s) != 0 || motion.acceleration_y_m_per_s2.at(time_s) != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> stated_loads(const Scene& scene) {
   constexpr const char* tables[] = {"point_load", "face_pressure", "line_load",  "body_load",
                                     "silt",       "earthquake",    "base_motion"};
-  const toml::table file = toml::parse(text);
+  const toml::table file = toml::parse(scene.text);
   std::vector<std::string> stated;
   for (const char* name : tables) {
     const toml::node* node = file.get(name);
     if (node == nullptr || (node->is_array() && node->as_array()->empty())) continue;
+    if (name == std::string("base_motion") && !acts(*scene.base_motion, scene.analysis.duration_s)) continue;
     const std::string table = std::string("[") + name + "]";
     stated.push_back(node->is_array() ? "[" + table + "]" : table);
   }

@@ -205,6 +205,7 @@ void take_record(toml::table& described, const std::filesystem::path& folder, Pr
   try {
     toml::array table;
     RecordSource source{.file = layout.file};
+    if (layout.scale_stated) source.scale = layout.scale;
     for (const Row& row : rows_of(stream, layout)) {
       table.push_back(toml::array{row.time, row.value});
       source.lines.push_back(row.line);

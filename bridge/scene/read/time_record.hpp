@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace blockweir::scene {
 
 /// Where the rows of a record come from.
 struct RecordSource {
-  std::string file;        ///< as the scene states it
-  std::vector<int> lines;  ///< of each row, the first line being 1
+  std::string file;               ///< as the scene states it
+  std::vector<int> lines;         ///< of each row, the first line being 1
+  std::optional<double> scale{};  ///< where the scene states one
 };
 
 /// By the table that describes them in the scene.
