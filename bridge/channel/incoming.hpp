@@ -10,7 +10,7 @@
 #include <zmq.hpp>
 
 #include "bridge/channel/retry_on_interrupt.hpp"
-#include "bridge/scene/wide_vectors.hpp"
+#include "bridge/results/wide_vectors.hpp"
 #include "bridge/wire/codec.hpp"
 
 namespace blockweir::channel {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bridge/scene/wide_vectors.hpp"
+#include "bridge/results/wide_vectors.hpp"
 
 namespace blockweir::reservoir {
 namespace {

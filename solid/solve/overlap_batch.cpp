@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/solve/overlap_batch.hpp"
 
+#include "bridge/results/wide_vectors.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/wide_vectors.hpp"
 
 namespace blockweir::solid {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "bridge/results/stopwatch.hpp"
+#include "bridge/results/wide_vectors.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/wide_vectors.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/step/island_sleep.hpp"
 #include "solid/step/push_apart.hpp"
