@@ -38,14 +38,17 @@ std::size_t PushApart::near_end(const ContactPoint& c) const {
   return s < edge.length / 2 ? at(c.edge) : next(at(c.edge), model_.parts.contact_outlines[at(c.edge_block)].size());
 }
 
-/// Or have in the step, which has taken them on by `moved_m`. What pushes move is less.
-bool PushApart::corners_touch(const ContactPoint& c, double moved_m) const {
+/// Nearly: what pushes move is less. Or have done so in the step, which has moved them by `moved_m` and leaves contacts
+/// `deepest_m` in each other: pushes move no more, and what is deeper is beside another side.
+bool PushApart::corners_touch(const ContactPoint& c, double moved_m, double deepest_m) const {
   constexpr double near = 1e-4;     // of the scene
   constexpr double of_block = 0.1;  // of the smaller one's radius: its other corners are farther away
   const double radius_m = std::min(model_.blocks[at(c.vertex_part)].radius, model_.blocks[at(c.edge_part)].radius);
   const ContactSide& end = model_.parts.contact_outlines[at(c.edge_block)][near_end(c)];
   const Point corner = state_.placements[at(end.part)].position(end.from);
-  return (corner - state_.place(c)).norm() < std::max(near * model_.size_m, std::min(moved_m, of_block * radius_m));
+  const double apart_m = (corner - state_.place(c)).norm();
+  if (apart_m < near * model_.size_m) return true;
+  return apart_m < std::min(moved_m, of_block * radius_m) && std::abs(passing_now(c).gap) < 2 * deepest_m;
 }
 
 /// Corners that slide on one face, as two tips on the ground, may be pushed into each other by what parts them from it.
@@ -118,11 +121,16 @@ bool PushApart::push(const IslandEquations& s) {
   const auto overlaps = [&](const Meeting& m) { return m.gap < -lasting; };
   int pushes = 0;
   passing_.clear();
-  // What stands keeps its corners where they are.
-  if (trial_.falls()) passing_ = state_.search.passing(s.island.blocks);
-  const double moved_m = trial_.largest_increment();
-  std::erase_if(passing_, [&](const ContactPoint* c) { return !corners_touch(*c, moved_m); });
   meet(s);
+  // What stands keeps its corners where they are.
+  if (trial_.falls()) {
+    double deepest_m = 0;
+    for (const Meeting& m : meetings_) deepest_m = std::max(deepest_m, -m.gap);
+    const double moved_m = trial_.largest_increment();
+    passing_ = state_.search.passing(s.island.blocks);
+    std::erase_if(passing_, [&](const ContactPoint* c) { return !corners_touch(*c, moved_m, deepest_m); });
+    for (const ContactPoint* c : passing_) meetings_.push_back(passing_now(*c));
+  }
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
     push_once(s);
     meet(s);

@@ -35,7 +35,7 @@ class PushApart : StepPart {
   };
 
   void meet(const IslandEquations& island);
-  [[nodiscard]] bool corners_touch(const ContactPoint& c, double moved_m) const;
+  [[nodiscard]] bool corners_touch(const ContactPoint& c, double moved_m, double deepest_m) const;
   [[nodiscard]] Meeting passing_now(const ContactPoint& c) const;
   [[nodiscard]] double lasting_m(const IslandEquations& island) const;
   void push_once(const IslandEquations& island);
