@@ -83,6 +83,26 @@ TEST(Collapse, FacesThatComeOntoEachOtherAtTheirCornersPressAtBoth) {
   for (const unsigned seed : {36U, 51U}) EXPECT_LE(watched(random_collapse(seed)).overlap_m, 1e-6) << "seed " << seed;
 }
 
+/// Corners that a step takes past each other by more than they were apart: 1.4e-6 and 1.1e-6 m before.
+TEST(Collapse, OfHundredsOfBlocksMakesNoOverlapEither) {
+  constexpr double duration_s = 2;
+  for (const unsigned seed : {3U, 26U}) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0, 1);
+    const double friction_deg = 15 + 30 * share(random);
+    if (seed % 2 == 0) {
+      const std::string heap = test::heap(60 + static_cast<int>(140 * share(random)), seed);
+      EXPECT_LE(watched(test::collapse(heap, duration_s, 0, friction_deg)).overlap_m, 1e-6) << "seed " << seed;
+      continue;
+    }
+    const double tilt_deg = 10 + 20 * share(random);
+    const double brick_length_m = 0.6 + share(random);
+    const int columns = 3 + static_cast<int>(6 * share(random));
+    const std::string wall = test::wall(12 + static_cast<int>(20 * share(random)), columns, brick_length_m);
+    EXPECT_LE(watched(test::collapse(wall, duration_s, tilt_deg, friction_deg)).overlap_m, 1e-6) << "seed " << seed;
+  }
+}
+
 /// No contact parts them: on the ground each seems to pass the other.
 TEST(Collapse, TipsThatSlideOnTheSameGroundDoNotGoIntoEachOther) {
   EXPECT_LE(watched(test::collapse(test::heap(60, 1), 1.6, 0, 20)).overlap_m, 1e-7) << "2.2e-6 m before";
