@@ -45,6 +45,8 @@ class ForceSweeps {
   [[nodiscard]] Eigen::Vector2d apart(const Row& row) const;
 
   [[nodiscard]] auto displacement() const { return displacement_.head(displacement_.size() - most_unknowns); }
+  /// Of an end, a column each for gap and slip: what they gain by unit displacements.
+  [[nodiscard]] Eigen::Map<const Eigen::MatrixX2d> motions(const Row::End& end) const;
   [[nodiscard]] std::vector<Row>& rows() { return rows_; }
   [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
@@ -60,7 +62,6 @@ class ForceSweeps {
   void keep();
   void visit(std::size_t alone, SweepProgress& progress);
   void act(const Row& row, const Eigen::Vector2d& force);
-  [[nodiscard]] Entries motions(const Row::End& end) const;
   [[nodiscard]] Entries responses(const Row::End& end) const;
 
   std::vector<Row> rows_;

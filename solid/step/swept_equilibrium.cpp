@@ -9,6 +9,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
 #include "solid/contact/bonds.hpp"
+#include "solid/solve/standing_forces.hpp"
 #include "solid/step/equilibrium.hpp"
 #include "solid/step/push_apart.hpp"
 #include "solid/step/restore_unless.hpp"
@@ -19,9 +20,11 @@ namespace {
 
 constexpr int rounds = 2;  // blocks turn: forces act along other directions where that has taken them
 constexpr std::array<double, 3> share_of_round = {0.3, 0.7, 0.1};  // of the sweeps; corners show in the first already
-constexpr double most_visits = 3e4;                                // to contacts, in two rounds
+constexpr double most_visits = 3e4;                                // to contacts, in two rounds, while blocks fall
+constexpr double most_slow_visits = 3e6;                           // else: what sweeps leave would add up to a creep
 constexpr double least_sweeps = 100;                               // where an island is large
 constexpr double most_sweeps = 1000;
+constexpr double enough_share = 1e-4;  // of a fall through the step: no gap or slip has to be nearer to its law
 constexpr double most_at_first = 400;  // of the first step that is swept: what follows begins with its forces
 
 }  // namespace
@@ -39,17 +42,15 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   const bool few = s.unknowns->total <= few_unknowns;
   const bool begins = !state_.whole_law.after_failure();
   const double closely = begins || few ? 1e-4 : 1;
-  const double enough_m = closely * std::min(2e-8 * model_.size_m, 1e-4 * trial_.fall_m());
+  const double enough_m = closely * std::min(2e-8 * model_.size_m, enough_share * trial_.fall_m());
   constexpr int most_rounds = 20;  // bonds break a few at a time
   double left_m = 0;
   bool broken = false;
   SweepRows rows(step_);
   for (int round = 1;; ++round) {
     if (!linearize(s, rows, round == 1)) return Found::nothing;
-    const double visits = most_visits / static_cast<double>(s.sweeps.rows().size());
-    const double most =
-        begins && trial_.first_force.empty() ? most_at_first : std::clamp(visits, least_sweeps, most_sweeps);
-    left_m = sweep(s, static_cast<int>(most * share_of_round[std::min(round, 3) - 1]), enough_m);
+    const int most = static_cast<int>(most_of(s) * share_of_round[std::min(round, 3) - 1]);
+    left_m = sweep(s, most, enough_m);
     s.correction = s.sweeps.displacement();
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);
@@ -77,6 +78,14 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   s.balance_alone();
   s.find_residual([&](std::size_t k) { s.add_forces(k); });
   return Found::by_sweeps;
+}
+
+/// Sweeps of a step: more of them where the structure hardly moves, and in the first step that is swept.
+double SweptEquilibrium::most_of(const IslandEquations& s) const {
+  const bool first = !state_.whole_law.after_failure() && trial_.first_force.empty();
+  const double visits = trial_.falls() ? most_visits : most_slow_visits;
+  const double most = std::clamp(visits / static_cast<double>(s.sweeps.rows().size()), least_sweeps, most_sweeps);
+  return first ? std::max(most, most_at_first) : most;
 }
 
 /// What nothing touches moves as its loads have it: one solution is exact.
@@ -148,8 +157,37 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
     const Interaction action = interaction_of(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s));
     rows.add(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
   }
+  if (first_round && is_at_rest(s)) stand(s);
   s.sweeps.apply_forces();
   return true;
+}
+
+/// Blocks in dry contacts that move by nothing that sweeps would see.
+bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
+  if (s.moves_as_one() || !s.island.supports.empty() || !s.bolts.empty()) return false;
+  const auto& rows = s.sweeps.rows();
+  if (!std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return StandingForces::is_dry(r.rule); })) {
+    return false;
+  }
+  const double still_m = enough_share * trial_.fall_m();
+  return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), [&](int block) {
+    const Vector6& velocity = state_.blocks[at(block)].velocity;
+    const double turning = velocity.tail<4>().cwiseAbs().sum() * model_.blocks[at(block)].radius;
+    return (velocity.head<2>().norm() + turning) * trial_.dt <= still_m;
+  });
+}
+
+/// Begins with forces by which nothing moves, if there are such. Sweeps would come to them only in the limit, and let
+/// the structure creep until then.
+void SweptEquilibrium::stand(IslandEquations& s) {
+  std::vector<Matrix6> matrix;
+  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
+  StandingForces forces(s.sweeps, *s.unknowns, matrix);
+  const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
+  counts_.factorizations += forces.solutions();
+  if (!found) return;
+  auto& rows = s.sweeps.rows();
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row].force = forces.force(row);
 }
 
 /// Forces found act at the trial, with their states.

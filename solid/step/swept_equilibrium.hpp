@@ -18,10 +18,13 @@ class SweptEquilibrium : StepPart {
 
  private:
   bool fly(IslandEquations& island);
+  [[nodiscard]] double most_of(const IslandEquations& island) const;
   double sweep(IslandEquations& island, int most, double enough_m);
   bool finish(IslandEquations& island, const StepMode& mode);
   void start_again(const IslandEquations& island);
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
+  [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
+  void stand(IslandEquations& island);
   void take_forces(IslandEquations& island);
 };
 

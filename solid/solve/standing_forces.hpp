@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forces by which blocks at rest stay there, if any do. With associated flow (what slips opens by the tangent of
+// friction) the motion of a step is that of a convex problem; if nothing slips in it, its forces fulfil Coulomb's law,
+// too. A primal-dual interior point method (Wright 1997, Primal-Dual Interior-Point Methods) finds them in some 15
+// solutions. Sweeps, whose forces creep through the structure, would let it slip meanwhile.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "solid/solve/force_sweeps.hpp"
+#include "solid/solve/linear_system.hpp"
+
+namespace blockweir::solid {
+
+class StandingForces {
+ public:
+  /// Of blocks with unknowns of their own. `matrix`: inertia and elasticity of each block. All must outlive the object.
+  StandingForces(const ForceSweeps& sweeps, const Unknowns& unknowns, const std::vector<Matrix6>& matrix);
+
+  /// Under `loads`, forces on the unknowns: whether nothing that presses slips by more than that [m]. What opens may.
+  bool found(const Eigen::VectorXd& loads, double enough_m);
+  /// Normal and shear of a row, inside its cone of friction [N per metre].
+  [[nodiscard]] Eigen::Vector2d force(std::size_t row) const;
+  [[nodiscard]] int solutions() const { return solutions_; }
+
+  /// Whether a rule is that of a dry joint that slips without opening.
+  static bool is_dry(const ForceRule& rule);
+
+ private:
+  /// A force along an edge of the cone of friction, and the motion that it resists; one of them goes to zero.
+  struct Pair {
+    double force = 0;
+    double motion = 0;
+    double force_change = 0;
+    double motion_change = 0;
+    double product_change = 0;  ///< nonlinear part of the product that a correction aims at
+  };
+  using Pairs = std::array<Pair, 2>;  ///< of shear at its negative and at its positive bound
+
+  void begin(const Eigen::VectorXd& loads);
+  bool factorize();
+  bool correct(double product);
+  void follow(double fraction);
+  [[nodiscard]] Eigen::VectorXd unbalanced(const Eigen::VectorXd& loads) const;
+  [[nodiscard]] std::array<double, 2> motions(std::size_t row, const Eigen::VectorXd& displacement) const;
+  [[nodiscard]] double positive_fraction(double within) const;
+  [[nodiscard]] double mean_product(double fraction) const;
+  [[nodiscard]] bool stands(double load, double enough_m) const;
+  [[nodiscard]] double lost_in_slip() const;
+  void add_forces(std::size_t row, const Eigen::Vector2d& force, Eigen::VectorXd& to) const;
+
+  const ForceSweeps& sweeps_;
+  const Unknowns& unknowns_;
+  const std::vector<Matrix6>& matrix_;
+  std::vector<int> block_of_;  ///< by the first of its unknowns
+  std::unique_ptr<LinearSystem> system_;
+  std::vector<Pairs> pairs_;
+  Eigen::VectorXd displacement_;
+  Eigen::VectorXd change_;
+  Eigen::VectorXd unbalanced_;
+  int solutions_ = 0;
+};
+
+}  // namespace blockweir::solid
