@@ -40,7 +40,7 @@ std::string spoiled(std::mt19937& random) {
   return text;
 }
 
-class Drawing : public testing::Test {
+class SpoiledDrawing : public testing::Test {
  protected:
   void SetUp() override {
     std::filesystem::create_directories(folder);
@@ -65,7 +65,7 @@ class Drawing : public testing::Test {
       std::filesystem::temp_directory_path() / ("blockweir-fuzz-" + std::to_string(getpid()));
 };
 
-TEST_F(Drawing, CutOffAnywhereItIsRefusedOrReadTheSame) {
+TEST_F(SpoiledDrawing, CutOffAnywhereItIsRefusedOrReadTheSame) {
   const std::string whole = text_with(sound);
   ASSERT_FALSE(whole.empty());
   for (std::size_t length = 0; length < sound.size(); ++length) {
@@ -74,7 +74,7 @@ TEST_F(Drawing, CutOffAnywhereItIsRefusedOrReadTheSame) {
   }
 }
 
-TEST_F(Drawing, NumbersThatAreNoneAreRefused) {
+TEST_F(SpoiledDrawing, NumbersThatAreNoneAreRefused) {
   std::mt19937 random(3);
   const std::vector<std::string> wrong = {"3x0", "nan", "-inf", "", "1,5", "1e999", "0x10", "4 4", "--4"};
   // The values of the group codes 10, 20, 11 and 21 stand in lines of their own after these.
@@ -91,7 +91,7 @@ TEST_F(Drawing, NumbersThatAreNoneAreRefused) {
   }
 }
 
-TEST_F(Drawing, SpoiledOnesAreReadOrRefused) {
+TEST_F(SpoiledDrawing, SpoiledOnesAreReadOrRefused) {
   std::mt19937 random(2);
   int read_soundly = 0;
   for (int trial = 0; trial < 500; ++trial) {
