@@ -49,7 +49,7 @@ bool StandingForces::found(const Eigen::VectorXd& loads, double enough_m) {
   constexpr double balanced = 1e-8;  // of the largest load
   constexpr double centre = 0.3;     // aimed at after a correction that was cut short
   constexpr double surely = 1e4;     // where forces are next to the edge of their cones products are as much less
-  constexpr double exactly = 1e-3;  // of what is enough, where it costs only a solution or two
+  constexpr double exactly = 1e-3;   // of what is enough, where it costs only a solution or two
   begin(loads);
   const double load = loads.cwiseAbs().maxCoeff();
   double fraction = 1;
