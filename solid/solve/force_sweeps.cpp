@@ -140,7 +140,7 @@ double ForceSweeps::sweep_once() {
 /// Acceleration begins anew where it turns back (O'Donoghue and Candes 2015), or where forces begin to grow: friction
 /// makes the problem unsymmetric.
 double ForceSweeps::sweep_ahead() {
-  constexpr double grows = 3;  // above the least since it began
+  constexpr double grows = 2;  // above the least since it began
   const double next = (1 + std::sqrt(1 + 4 * momentum_ * momentum_)) / 2;
   const double beyond = (momentum_ - 1) / next;
   go_on(beyond);
