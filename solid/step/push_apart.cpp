@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "bridge/scene/at.hpp"
 #include "solid/contact/outline.hpp"
@@ -11,86 +11,10 @@
 
 namespace blockweir::solid {
 
-EdgeFrame PushApart::frame_now(const ContactPoint& c) const {
-  return edge_frame(trial_.at_start(), c);
-}
-
-/// Where a contact's blocks are now. What rounded coordinates left at the start and what its slip has opened are no
-/// part of the gap, nor what its spring gives way. Of a vertex that has slid past its edge the end of the edge is
-/// looked at, too: that may be in the vertex's block.
-PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
-  const EdgeFrame edge = frame_now(c);
-  const Placement& of_edge = state_.placements[at(c.edge_part)];
-  const Point from = of_edge.position(c.edge_from);
-  const Point vertex = state_.place(c);
-  const double s = edge.t.dot(vertex - from);
-  const bool beside = std::max(-s, s - edge.length) > 2e-7 * model_.size_m;
-  Meeting meeting = beside ? meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)))
-                           : Meeting{c.vertex_block, c.edge_block, vertex, edge.n, edge.n.dot(vertex - from)};
-  meeting.gap -= c.gap_at_start + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
-  return meeting;
-}
-
-/// The vertex of the edge's block that the contact's vertex is nearer to.
-std::size_t PushApart::near_end(const ContactPoint& c) const {
-  const EdgeFrame edge = frame_now(c);
-  const double s = edge.t.dot(state_.place(c) - state_.placements[at(c.edge_part)].position(c.edge_from));
-  return s < edge.length / 2 ? at(c.edge) : next(at(c.edge), model_.parts.contact_outlines[at(c.edge_block)].size());
-}
-
-/// Nearly: what pushes move is less. Or have done so in the step, which has moved them by `moved_m` and leaves contacts
-/// `deepest_m` in each other: pushes move no more, and what is deeper is beside another side.
-bool PushApart::corners_touch(const ContactPoint& c, double moved_m, double deepest_m) const {
-  constexpr double near = 1e-4;     // of the scene
-  constexpr double of_block = 0.1;  // of the smaller one's radius: its other corners are farther away
-  const double radius_m = std::min(model_.blocks[at(c.vertex_part)].radius, model_.blocks[at(c.edge_part)].radius);
-  const ContactSide& end = model_.parts.contact_outlines[at(c.edge_block)][near_end(c)];
-  const Point corner = state_.placements[at(end.part)].position(end.from);
-  const double apart_m = (corner - state_.place(c)).norm();
-  if (apart_m < near * model_.size_m) return true;
-  return apart_m < std::min(moved_m, of_block * radius_m) && std::abs(passing_now(c).gap) < 2 * deepest_m;
-}
-
-/// Corners that slide on one face, as two tips on the ground, may be pushed into each other by what parts them from it.
-PushApart::Meeting PushApart::passing_now(const ContactPoint& c) const {
-  Meeting meeting = meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)));
-  meeting.gap += model_.give_under_weight_m;
-  return meeting;
-}
-
-/// A corner of a block between its neighbours, as they are now.
-PushApart::Corner PushApart::corner_now(int block, std::size_t vertex) const {
-  const ContactOutline& outline = model_.parts.contact_outlines[at(block)];
-  Corner corner{block, {}};
-  for (const std::size_t v : {previous(vertex, outline.size()), vertex, next(vertex, outline.size())}) {
-    corner.points.push_back(state_.placements[at(outline[v].part)].position(outline[v].from));
-  }
-  return corner;
-}
-
-/// Two corners side by side: of their four faces the one that parts them most. It has the other corner's block on its
-/// outer side: through a sharp corner the other may have come out again.
-PushApart::Meeting PushApart::meeting_of(const Corner& vertex, const Corner& end) const {
-  Meeting meeting{end.block, vertex.block, end.points[1], {}, -std::numeric_limits<double>::infinity()};
-  bool parted = false;
-  for (const auto& [of, other] : {std::pair(&vertex, &end), std::pair(&end, &vertex)}) {
-    for (const std::size_t side : {0, 1}) {
-      const Point t = (of->points[side + 1] - of->points[side]).normalized();
-      const Point n(t.y(), -t.x());
-      const double gap = n.dot(other->points[1] - of->points[1]);
-      const bool parts = faces(other->points, 1, n, parallel_tolerance);
-      if (parts == parted ? gap <= meeting.gap || (!parts && of == &end) : parted) continue;
-      parted = parts;
-      meeting = {other->block, of->block, other->points[1], n, gap};
-    }
-  }
-  return meeting;
-}
-
 void PushApart::meet(const IslandEquations& s) {
   meetings_.clear();
-  for (const int k : s.island.contacts) meetings_.push_back(meeting_now(state_.contacts[at(k)]));
-  for (const ContactPoint* c : passing_) meetings_.push_back(passing_now(*c));
+  for (const int k : s.island.contacts) meetings_.push_back(now_.of_contact(state_.contacts[at(k)]));
+  for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
 }
 
 /// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest.
@@ -128,8 +52,8 @@ bool PushApart::push(const IslandEquations& s) {
     for (const Meeting& m : meetings_) deepest_m = std::max(deepest_m, -m.gap);
     const double moved_m = trial_.largest_increment();
     passing_ = state_.search.passing(s.island.blocks);
-    std::erase_if(passing_, [&](const ContactPoint* c) { return !corners_touch(*c, moved_m, deepest_m); });
-    for (const ContactPoint* c : passing_) meetings_.push_back(passing_now(*c));
+    std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, moved_m, deepest_m); });
+    for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
   }
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
     push_once(s);
@@ -137,7 +61,7 @@ bool PushApart::push(const IslandEquations& s) {
   }
   for (std::size_t i = 0; i < s.island.contacts.size(); ++i) {
     ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
-    const double gap = meetings_[i].gap;
+    const double gap = std::isinf(meetings_[i].gap) ? 0 : meetings_[i].gap;
     c.overlap_m = std::min(0.0, gap);
     c.gap = gap + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
     counts_.overlap_m = std::max(counts_.overlap_m, -c.overlap_m);
@@ -182,7 +106,7 @@ void PushApart::push_once(const IslandEquations& s) {
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];
     if (c.state == ContactState::open) continue;
-    const EdgeFrame edge = frame_now(c);
+    const EdgeFrame edge = edge_frame(trial_.at_start(), c);
     const auto moved = [&](int b) {
       if (number(b) < 0) return 0.0;
       const Eigen::Vector3d by = push.moved(at(number(b)));
