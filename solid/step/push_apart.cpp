@@ -48,17 +48,13 @@ bool PushApart::push(const IslandEquations& s) {
   meet(s);
   // What stands keeps its corners where they are.
   if (trial_.falls()) {
-    double deepest_m = 0;
-    for (const Meeting& m : meetings_) deepest_m = std::max(deepest_m, -m.gap);
+    const double deepest_m = this->deepest_m();
     const double moved_m = trial_.largest_increment();
     passing_ = state_.search.passing(s.island.blocks);
     std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, moved_m, deepest_m); });
     for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
   }
-  for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
-    push_once(s);
-    meet(s);
-  }
+  while (pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps) && push_once(s)) ++pushes;
   for (std::size_t i = 0; i < s.island.contacts.size(); ++i) {
     ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
     const double gap = std::isinf(meetings_[i].gap) ? 0 : meetings_[i].gap;
@@ -69,52 +65,97 @@ bool PushApart::push(const IslandEquations& s) {
   return pushes > 0;
 }
 
-void PushApart::push_once(const IslandEquations& s) {
-  std::vector<int> bodies;
+double PushApart::deepest_m() const {
+  double deepest = 0;
+  for (const Meeting& m : meetings_) deepest = std::max(deepest, -m.gap);
+  return deepest;
+}
+
+/// As far as leaves less overlap, of which pushes as straight lines tell little where they turn a block. False where
+/// none does: then blocks stay where the step has moved them.
+bool PushApart::push_once(const IslandEquations& s) {
+  constexpr double less = 0.25;
+  constexpr int most_trials = 3;
+  const double before_m = deepest_m();
+  const Push push = find_push(s);
+  std::vector<double> anchors;
+  for (const int k : s.island.contacts) anchors.push_back(state_.contacts[at(k)].anchor);
+  double share = affordable(push, before_m);
+  for (int trial = 0; trial < most_trials; ++trial, share *= less) {
+    carry_out(s, push, share);
+    meet(s);
+    if (deepest_m() <= before_m) return true;
+    carry_out(s, push, -share);
+    for (std::size_t i = 0; i < anchors.size(); ++i) state_.contacts[at(s.island.contacts[i])].anchor = anchors[i];
+  }
+  meet(s);
+  return false;
+}
+
+/// No block is pushed farther than the step has moved one and leaves it in another, nor turned farther than a step may.
+double PushApart::affordable(const Push& push, double deepest_m) const {
+  const double farthest_m = trial_.largest_increment() + deepest_m;
+  double share = 1;
+  for (std::size_t k = 0; k < push.bodies.size(); ++k) {
+    const double turn = std::abs(push.moved[k][2]);
+    const double way_m = push.moved[k].head<2>().norm() + model_.blocks[at(push.bodies[k])].radius * turn;
+    if (share * way_m > farthest_m) share = farthest_m / way_m;
+    if (share * turn > most_turn_in_step) share = most_turn_in_step / turn;
+  }
+  return share;
+}
+
+PushApart::Push PushApart::find_push(const IslandEquations& s) const {
+  Push push;
   for (const int k : s.island.contacts) {
     for (const int b : {state_.contacts[at(k)].vertex_block, state_.contacts[at(k)].edge_block}) {
-      if (!model_.blocks[at(b)].fixed) bodies.push_back(b);
+      if (!model_.blocks[at(b)].fixed) push.bodies.push_back(b);
     }
   }
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  for (const int k : s.island.supports) std::erase(bodies, state_.supports[at(k)].described->block);
-  const auto number = [&](int b) {
-    const auto found = std::lower_bound(bodies.begin(), bodies.end(), b);
-    return found == bodies.end() || *found != b ? -1 : static_cast<int>(found - bodies.begin());
-  };
+  std::sort(push.bodies.begin(), push.bodies.end());
+  push.bodies.erase(std::unique(push.bodies.begin(), push.bodies.end()), push.bodies.end());
+  for (const int k : s.island.supports) std::erase(push.bodies, state_.supports[at(k)].described->block);
   std::vector<Eigen::Vector3d> mass;
-  for (const int b : bodies) {
+  for (const int b : push.bodies) {
     const Inertia& inertia = model_.blocks[at(b)].inertia;
     mass.emplace_back(inertia.mass(), inertia.mass(), inertia.of_turn());
   }
   std::vector<Overlap> overlaps;
-
   for (const Meeting& m : meetings_) {
     const Point& n = m.normal;
     Overlap& o = overlaps.emplace_back(Overlap{m.gap, {}});
     for (const bool second : {false, true}) {
       const int b = second ? m.face_block : m.corner_block;
       const double turns = n.dot(perpendicular(m.corner - state_.placements[at(b)].centre()));
-      o.ends[second ? 1 : 0] = {number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
+      o.ends[second ? 1 : 0] = {push.number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
     }
   }
-  OverlapProjection push(mass, overlaps);
+  OverlapProjection projection(mass, overlaps);
+  projection.solve(lasting_m(s));
+  for (std::size_t k = 0; k < push.bodies.size(); ++k) push.moved.push_back(projection.moved(k));
+  return push;
+}
 
-  push.solve(lasting_m(s));
-  // What sticks does so where it has been pushed to.
+int PushApart::Push::number(int b) const {
+  const auto found = std::lower_bound(bodies.begin(), bodies.end(), b);
+  return found == bodies.end() || *found != b ? -1 : static_cast<int>(found - bodies.begin());
+}
+
+/// What sticks does so where it has been pushed to.
+void PushApart::carry_out(const IslandEquations& s, const Push& push, double share) {
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];
     if (c.state == ContactState::open) continue;
     const EdgeFrame edge = edge_frame(trial_.at_start(), c);
     const auto moved = [&](int b) {
-      if (number(b) < 0) return 0.0;
-      const Eigen::Vector3d by = push.moved(at(number(b)));
+      const int body = push.number(b);
+      if (body < 0) return 0.0;
+      const Eigen::Vector3d by = share * push.moved[at(body)];
       return edge.t.dot(by.head<2>() + by[2] * perpendicular(state_.place(c) - state_.placements[at(b)].centre()));
     };
     c.anchor += (moved(c.vertex_block) - moved(c.edge_block)) / edge.length;
   }
-  for (std::size_t k = 0; k < bodies.size(); ++k) displace(at(bodies[k]), push.moved(k));
+  for (std::size_t k = 0; k < push.bodies.size(); ++k) displace(at(push.bodies[k]), share * push.moved[k]);
 }
 
 /// A block, and the triangles of its mesh, by (x, y, turn) about its centre. The work against its loads is owed.

@@ -21,9 +21,20 @@ class PushApart : StepPart {
   [[nodiscard]] double left_by_sweeps_m(const IslandEquations& island) const;
 
  private:
+  struct Push {
+    std::vector<int> bodies;             ///< that move, by increasing number
+    std::vector<Eigen::Vector3d> moved;  ///< each by (x, y, turn)
+
+    [[nodiscard]] int number(int block) const;  ///< -1: does not move
+  };
+
   void meet(const IslandEquations& island);
   [[nodiscard]] double lasting_m(const IslandEquations& island) const;
-  void push_once(const IslandEquations& island);
+  [[nodiscard]] double deepest_m() const;
+  bool push_once(const IslandEquations& island);
+  [[nodiscard]] Push find_push(const IslandEquations& island) const;
+  [[nodiscard]] double affordable(const Push& push, double deepest_m) const;
+  void carry_out(const IslandEquations& island, const Push& push, double share);
   void displace(std::size_t block, const Eigen::Vector3d& by);
 
   Meetings now_;
