@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "solid/contact/outline_overlap.hpp"
 #include "solid/contact/trial.hpp"
 
 namespace blockweir::solid {
@@ -83,6 +84,15 @@ void ContactSearch::update(const std::vector<Placement>& placements, std::vector
   filter.keep_one_of_each();
   passing_.end_search();
   contacts.swap(found_.all);
+}
+
+double ContactSearch::overlap_m(const std::vector<Placement>& placements, double known_m) {
+  for (std::size_t b = 0; b < outlines_.all().size(); ++b) outlines_.move(b, placements);
+  double deepest_m = known_m;
+  for (const auto& [a, b] : pairs_.all()) {
+    deepest_m = blockweir::solid::overlap_m(outlines_.of(a), outlines_.of(b), deepest_m);
+  }
+  return deepest_m;
 }
 
 void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {

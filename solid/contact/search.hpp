@@ -68,6 +68,10 @@ class ContactSearch {
   /// The step is made: the next one begins with none that have.
   void forget_entered() { passing_.forget_entered(); }
 
+  /// How far blocks that are near each other are in each other by their outlines [m]; `known_m` if no more. Until the
+  /// next search, placements are where it looked last or a step from there.
+  [[nodiscard]] double overlap_m(const std::vector<Placement>& placements, double known_m);
+
   [[nodiscard]] long broad_searches() const { return pairs_.searches(); }
 
   template <class Archive>

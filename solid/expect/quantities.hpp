@@ -2,6 +2,7 @@
 // Quantities of a finished run for [[expect]].
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "solid/expect/time_series.hpp"
@@ -39,6 +40,8 @@ struct Outcome {
 
   /// Into each other by more, blocks are somewhere else than they could be.
   [[nodiscard]] double most_penetration_m() const { return 1e-4 * solid.size_m(); }
+  /// Of closed contacts, or of blocks as a step ended [m].
+  [[nodiscard]] double deepest_m() const { return std::max(largest_penetration_m, solid.counts().overlap_m); }
 };
 
 std::vector<std::string> quantity_names();

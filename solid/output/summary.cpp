@@ -27,7 +27,7 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
 
 /// Overlaps beyond what counts as one.
 std::string penetration_warning(const expect::Outcome& outcome) {
-  if (outcome.largest_penetration_m <= outcome.most_penetration_m()) return {};
+  if (outcome.deepest_m() <= outcome.most_penetration_m()) return {};
   const scene::Scene& scene = outcome.solid.scene();
   const std::string shorter = fmt::format("shorten [analysis] step_s (now {:.3g})", scene.analysis.step_s);
   const std::string remedy =
@@ -38,7 +38,7 @@ std::string penetration_warning(const expect::Outcome& outcome) {
           : shorter + ", or state rigid = \"all\" in [analysis]: blocks that strain a lot meet too late";
   return fmt::format(
       "blocks were in each other by up to {:.3g} m; expected at most {:.3g} m, 1e-4 of the model's size; {}",
-      outcome.largest_penetration_m, outcome.most_penetration_m(), remedy);
+      outcome.deepest_m(), outcome.most_penetration_m(), remedy);
 }
 
 json counts_of(const Solid& solid) {

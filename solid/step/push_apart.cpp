@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "bridge/scene/at.hpp"
 #include "solid/contact/outline.hpp"
@@ -11,86 +11,10 @@
 
 namespace blockweir::solid {
 
-EdgeFrame PushApart::frame_now(const ContactPoint& c) const {
-  return edge_frame(trial_.at_start(), c);
-}
-
-/// Where a contact's blocks are now. What rounded coordinates left at the start and what its slip has opened are no
-/// part of the gap, nor what its spring gives way. Of a vertex that has slid past its edge the end of the edge is
-/// looked at, too: that may be in the vertex's block.
-PushApart::Meeting PushApart::meeting_now(const ContactPoint& c) const {
-  const EdgeFrame edge = frame_now(c);
-  const Placement& of_edge = state_.placements[at(c.edge_part)];
-  const Point from = of_edge.position(c.edge_from);
-  const Point vertex = state_.place(c);
-  const double s = edge.t.dot(vertex - from);
-  const bool beside = std::max(-s, s - edge.length) > 2e-7 * model_.size_m;
-  Meeting meeting = beside ? meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)))
-                           : Meeting{c.vertex_block, c.edge_block, vertex, edge.n, edge.n.dot(vertex - from)};
-  meeting.gap -= c.gap_at_start + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
-  return meeting;
-}
-
-/// The vertex of the edge's block that the contact's vertex is nearer to.
-std::size_t PushApart::near_end(const ContactPoint& c) const {
-  const EdgeFrame edge = frame_now(c);
-  const double s = edge.t.dot(state_.place(c) - state_.placements[at(c.edge_part)].position(c.edge_from));
-  return s < edge.length / 2 ? at(c.edge) : next(at(c.edge), model_.parts.contact_outlines[at(c.edge_block)].size());
-}
-
-/// Nearly: what pushes move is less. Or have done so in the step, which has moved them by `moved_m` and leaves contacts
-/// `deepest_m` in each other: pushes move no more, and what is deeper is beside another side.
-bool PushApart::corners_touch(const ContactPoint& c, double moved_m, double deepest_m) const {
-  constexpr double near = 1e-4;     // of the scene
-  constexpr double of_block = 0.1;  // of the smaller one's radius: its other corners are farther away
-  const double radius_m = std::min(model_.blocks[at(c.vertex_part)].radius, model_.blocks[at(c.edge_part)].radius);
-  const ContactSide& end = model_.parts.contact_outlines[at(c.edge_block)][near_end(c)];
-  const Point corner = state_.placements[at(end.part)].position(end.from);
-  const double apart_m = (corner - state_.place(c)).norm();
-  if (apart_m < near * model_.size_m) return true;
-  return apart_m < std::min(moved_m, of_block * radius_m) && std::abs(passing_now(c).gap) < 2 * deepest_m;
-}
-
-/// Corners that slide on one face, as two tips on the ground, may be pushed into each other by what parts them from it.
-PushApart::Meeting PushApart::passing_now(const ContactPoint& c) const {
-  Meeting meeting = meeting_of(corner_now(c.vertex_block, at(c.vertex)), corner_now(c.edge_block, near_end(c)));
-  meeting.gap += model_.give_under_weight_m;
-  return meeting;
-}
-
-/// A corner of a block between its neighbours, as they are now.
-PushApart::Corner PushApart::corner_now(int block, std::size_t vertex) const {
-  const ContactOutline& outline = model_.parts.contact_outlines[at(block)];
-  Corner corner{block, {}};
-  for (const std::size_t v : {previous(vertex, outline.size()), vertex, next(vertex, outline.size())}) {
-    corner.points.push_back(state_.placements[at(outline[v].part)].position(outline[v].from));
-  }
-  return corner;
-}
-
-/// Two corners side by side: of their four faces the one that parts them most. It has the other corner's block on its
-/// outer side: through a sharp corner the other may have come out again.
-PushApart::Meeting PushApart::meeting_of(const Corner& vertex, const Corner& end) const {
-  Meeting meeting{end.block, vertex.block, end.points[1], {}, -std::numeric_limits<double>::infinity()};
-  bool parted = false;
-  for (const auto& [of, other] : {std::pair(&vertex, &end), std::pair(&end, &vertex)}) {
-    for (const std::size_t side : {0, 1}) {
-      const Point t = (of->points[side + 1] - of->points[side]).normalized();
-      const Point n(t.y(), -t.x());
-      const double gap = n.dot(other->points[1] - of->points[1]);
-      const bool parts = faces(other->points, 1, n, parallel_tolerance);
-      if (parts == parted ? gap <= meeting.gap || (!parts && of == &end) : parted) continue;
-      parted = parts;
-      meeting = {other->block, of->block, other->points[1], n, gap};
-    }
-  }
-  return meeting;
-}
-
 void PushApart::meet(const IslandEquations& s) {
   meetings_.clear();
-  for (const int k : s.island.contacts) meetings_.push_back(meeting_now(state_.contacts[at(k)]));
-  for (const ContactPoint* c : passing_) meetings_.push_back(passing_now(*c));
+  for (const int k : s.island.contacts) meetings_.push_back(now_.of_contact(state_.contacts[at(k)]));
+  for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
 }
 
 /// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest.
@@ -124,20 +48,16 @@ bool PushApart::push(const IslandEquations& s) {
   meet(s);
   // What stands keeps its corners where they are.
   if (trial_.falls()) {
-    double deepest_m = 0;
-    for (const Meeting& m : meetings_) deepest_m = std::max(deepest_m, -m.gap);
+    const double deepest_m = this->deepest_m();
     const double moved_m = trial_.largest_increment();
     passing_ = state_.search.passing(s.island.blocks);
-    std::erase_if(passing_, [&](const ContactPoint* c) { return !corners_touch(*c, moved_m, deepest_m); });
-    for (const ContactPoint* c : passing_) meetings_.push_back(passing_now(*c));
+    std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, moved_m, deepest_m); });
+    for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
   }
-  for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) {
-    push_once(s);
-    meet(s);
-  }
+  while (pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps) && push_once(s)) ++pushes;
   for (std::size_t i = 0; i < s.island.contacts.size(); ++i) {
     ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
-    const double gap = meetings_[i].gap;
+    const double gap = std::isinf(meetings_[i].gap) ? 0 : meetings_[i].gap;
     c.overlap_m = std::min(0.0, gap);
     c.gap = gap + model_.laws[c.law].dilation_m(c.slip_m) + formulation_->gap_under_force_m(c);
     counts_.overlap_m = std::max(counts_.overlap_m, -c.overlap_m);
@@ -145,52 +65,97 @@ bool PushApart::push(const IslandEquations& s) {
   return pushes > 0;
 }
 
-void PushApart::push_once(const IslandEquations& s) {
-  std::vector<int> bodies;
+double PushApart::deepest_m() const {
+  double deepest = 0;
+  for (const Meeting& m : meetings_) deepest = std::max(deepest, -m.gap);
+  return deepest;
+}
+
+/// As far as leaves less overlap, of which pushes as straight lines tell little where they turn a block. False where
+/// none does: then blocks stay where the step has moved them.
+bool PushApart::push_once(const IslandEquations& s) {
+  constexpr double less = 0.25;
+  constexpr int most_trials = 3;
+  const double before_m = deepest_m();
+  const Push push = find_push(s);
+  std::vector<double> anchors;
+  for (const int k : s.island.contacts) anchors.push_back(state_.contacts[at(k)].anchor);
+  double share = affordable(push, before_m);
+  for (int trial = 0; trial < most_trials; ++trial, share *= less) {
+    carry_out(s, push, share);
+    meet(s);
+    if (deepest_m() <= before_m) return true;
+    carry_out(s, push, -share);
+    for (std::size_t i = 0; i < anchors.size(); ++i) state_.contacts[at(s.island.contacts[i])].anchor = anchors[i];
+  }
+  meet(s);
+  return false;
+}
+
+/// No block is pushed farther than the step has moved one and leaves it in another, nor turned farther than a step may.
+double PushApart::affordable(const Push& push, double deepest_m) const {
+  const double farthest_m = trial_.largest_increment() + deepest_m;
+  double share = 1;
+  for (std::size_t k = 0; k < push.bodies.size(); ++k) {
+    const double turn = std::abs(push.moved[k][2]);
+    const double way_m = push.moved[k].head<2>().norm() + model_.blocks[at(push.bodies[k])].radius * turn;
+    if (share * way_m > farthest_m) share = farthest_m / way_m;
+    if (share * turn > most_turn_in_step) share = most_turn_in_step / turn;
+  }
+  return share;
+}
+
+PushApart::Push PushApart::find_push(const IslandEquations& s) const {
+  Push push;
   for (const int k : s.island.contacts) {
     for (const int b : {state_.contacts[at(k)].vertex_block, state_.contacts[at(k)].edge_block}) {
-      if (!model_.blocks[at(b)].fixed) bodies.push_back(b);
+      if (!model_.blocks[at(b)].fixed) push.bodies.push_back(b);
     }
   }
-  std::sort(bodies.begin(), bodies.end());
-  bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  for (const int k : s.island.supports) std::erase(bodies, state_.supports[at(k)].described->block);
-  const auto number = [&](int b) {
-    const auto found = std::lower_bound(bodies.begin(), bodies.end(), b);
-    return found == bodies.end() || *found != b ? -1 : static_cast<int>(found - bodies.begin());
-  };
+  std::sort(push.bodies.begin(), push.bodies.end());
+  push.bodies.erase(std::unique(push.bodies.begin(), push.bodies.end()), push.bodies.end());
+  for (const int k : s.island.supports) std::erase(push.bodies, state_.supports[at(k)].described->block);
   std::vector<Eigen::Vector3d> mass;
-  for (const int b : bodies) {
+  for (const int b : push.bodies) {
     const Inertia& inertia = model_.blocks[at(b)].inertia;
     mass.emplace_back(inertia.mass(), inertia.mass(), inertia.of_turn());
   }
   std::vector<Overlap> overlaps;
-
   for (const Meeting& m : meetings_) {
     const Point& n = m.normal;
     Overlap& o = overlaps.emplace_back(Overlap{m.gap, {}});
     for (const bool second : {false, true}) {
       const int b = second ? m.face_block : m.corner_block;
       const double turns = n.dot(perpendicular(m.corner - state_.placements[at(b)].centre()));
-      o.ends[second ? 1 : 0] = {number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
+      o.ends[second ? 1 : 0] = {push.number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
     }
   }
-  OverlapProjection push(mass, overlaps);
+  OverlapProjection projection(mass, overlaps);
+  projection.solve(lasting_m(s));
+  for (std::size_t k = 0; k < push.bodies.size(); ++k) push.moved.push_back(projection.moved(k));
+  return push;
+}
 
-  push.solve(lasting_m(s));
-  // What sticks does so where it has been pushed to.
+int PushApart::Push::number(int b) const {
+  const auto found = std::lower_bound(bodies.begin(), bodies.end(), b);
+  return found == bodies.end() || *found != b ? -1 : static_cast<int>(found - bodies.begin());
+}
+
+/// What sticks does so where it has been pushed to.
+void PushApart::carry_out(const IslandEquations& s, const Push& push, double share) {
   for (const int k : s.island.contacts) {
     ContactPoint& c = state_.contacts[at(k)];
     if (c.state == ContactState::open) continue;
-    const EdgeFrame edge = frame_now(c);
+    const EdgeFrame edge = edge_frame(trial_.at_start(), c);
     const auto moved = [&](int b) {
-      if (number(b) < 0) return 0.0;
-      const Eigen::Vector3d by = push.moved(at(number(b)));
+      const int body = push.number(b);
+      if (body < 0) return 0.0;
+      const Eigen::Vector3d by = share * push.moved[at(body)];
       return edge.t.dot(by.head<2>() + by[2] * perpendicular(state_.place(c) - state_.placements[at(b)].centre()));
     };
     c.anchor += (moved(c.vertex_block) - moved(c.edge_block)) / edge.length;
   }
-  for (std::size_t k = 0; k < bodies.size(); ++k) displace(at(bodies[k]), push.moved(k));
+  for (std::size_t k = 0; k < push.bodies.size(); ++k) displace(at(push.bodies[k]), share * push.moved[k]);
 }
 
 /// A block, and the triangles of its mesh, by (x, y, turn) about its centre. The work against its loads is owed.

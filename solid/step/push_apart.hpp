@@ -5,12 +5,13 @@
 #pragma once
 
 #include "solid/step/island_equations.hpp"
+#include "solid/step/meetings.hpp"
 
 namespace blockweir::solid {
 
 class PushApart : StepPart {
  public:
-  explicit PushApart(StepWorkspace& step) : StepPart(step) {}
+  explicit PushApart(StepWorkspace& step) : StepPart(step), now_(step) {}
 
   /// Of an island, after the step has been accepted: has any block been pushed?
   bool push(const IslandEquations& island);
@@ -20,32 +21,23 @@ class PushApart : StepPart {
   [[nodiscard]] double left_by_sweeps_m(const IslandEquations& island) const;
 
  private:
-  /// A corner of one block and the face of another that it is in, or next to.
-  struct Meeting {
-    int corner_block;
-    int face_block;
-    Point corner;  ///< m
-    Point normal;  ///< of the face, out of its block
-    double gap;    ///< m
-  };
+  struct Push {
+    std::vector<int> bodies;             ///< that move, by increasing number
+    std::vector<Eigen::Vector3d> moved;  ///< each by (x, y, turn)
 
-  struct Corner {
-    int block;
-    std::vector<Point> points;  ///< the corner between its neighbours [m]
+    [[nodiscard]] int number(int block) const;  ///< -1: does not move
   };
 
   void meet(const IslandEquations& island);
-  [[nodiscard]] bool corners_touch(const ContactPoint& c, double moved_m, double deepest_m) const;
-  [[nodiscard]] Meeting passing_now(const ContactPoint& c) const;
   [[nodiscard]] double lasting_m(const IslandEquations& island) const;
-  void push_once(const IslandEquations& island);
-  [[nodiscard]] EdgeFrame frame_now(const ContactPoint& c) const;
-  [[nodiscard]] std::size_t near_end(const ContactPoint& c) const;
-  [[nodiscard]] Meeting meeting_now(const ContactPoint& c) const;
-  [[nodiscard]] Corner corner_now(int block, std::size_t vertex) const;
-  [[nodiscard]] Meeting meeting_of(const Corner& vertex, const Corner& end) const;
+  [[nodiscard]] double deepest_m() const;
+  bool push_once(const IslandEquations& island);
+  [[nodiscard]] Push find_push(const IslandEquations& island) const;
+  [[nodiscard]] double affordable(const Push& push, double deepest_m) const;
+  void carry_out(const IslandEquations& island, const Push& push, double share);
   void displace(std::size_t block, const Eigen::Vector3d& by);
 
+  Meetings now_;
   std::vector<const ContactPoint*> passing_;  ///< corners of the island that no contact parts
   std::vector<Meeting> meetings_;             ///< of the island's contacts, then of these, as its blocks are now
 };

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far two outlines are in each other, by themselves: no contact tells it of corners that it has missed.
+#pragma once
+
+#include <vector>
+
+#include "solid/block/motion.hpp"
+
+namespace blockweir::solid {
+
+/// The farthest that a corner of one, or the middle of what of a side is inside the other, lies from the other's sides
+/// [m]. `known_m` if it is no more than that.
+[[nodiscard]] double overlap_m(const std::vector<Point>& a, const std::vector<Point>& b, double known_m);
+
+}  // namespace blockweir::solid
