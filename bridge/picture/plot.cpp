@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 
 #include "bridge/picture/draw.hpp"
 #include "bridge/picture/plot_flow.hpp"
@@ -16,6 +18,12 @@
 namespace blockweir::picture {
 
 void plot(const PlotOptions& options) {
+  if (std::filesystem::is_regular_file(options.run)) {
+    throw std::invalid_argument(
+        fmt::format("{0}: found a file; expected the folder of a run; name the one that the "
+                    "last line of \"blockweir run\" says",
+                    options.run.string()));
+  }
   const StopMessage stopped("blockweir: stopped on request while it drew " + options.run.string() +
                             "; no picture was changed; the same command draws them anew");
   std::ifstream stream(options.run / "summary.json");

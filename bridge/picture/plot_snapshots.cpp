@@ -73,15 +73,13 @@ std::string bolts(const json& frame) {
   return text;
 }
 
-constexpr double fastest_shown = 12;  // m/s; faster water is as dark
-
 /// Boxes of moving water as a data block: edges and colour, the darker the faster.
 std::string flow(const std::vector<WaterBox>& boxes, const View& view, double fastest) {
   std::string text = "$water << E\n";
   constexpr double overlap = 0.15;  // of a box: no seams between neighbours
   for (const WaterBox& b : boxes) {
     if (b.right < view.left || b.left > view.right || b.top < view.bottom || b.bottom > view.top) continue;
-    const double share = std::min(1.0, b.speed / std::max(fastest, 1.0));
+    const double share = std::min(1.0, b.speed / fastest);
     const auto mix = [&](double slow, double fast) {
       return static_cast<int>(255 + b.share * (slow + share * (fast - slow) - 255));
     };
@@ -183,6 +181,18 @@ double round_step(double least) {
   return 10 * power;
 }
 
+/// The speed of the darkest water [m/s]: the largest of these moments, rounded up.
+double darkest_speed(const OpenFoamWater& water, const std::vector<json>& frames,
+                     const std::vector<std::size_t>& picks) {
+  constexpr double least = 0.1;  // what stands is never quite at rest
+  constexpr double most = 12;    // spray, a few cells of it, is as dark
+  double fastest = least;
+  for (const std::size_t pick : picks) {
+    for (const WaterBox& box : water.boxes(frames[pick]["time_s"])) fastest = std::max(fastest, box.speed);
+  }
+  return std::min(most, round_step(fastest));
+}
+
 /// Steps of the axes' numbers that leave room between them, in a panel so many points wide.
 std::string tics(const View& view, double panel_points) {
   constexpr double tall_points = 40;  // that a number needs
@@ -235,15 +245,16 @@ std::vector<Picture> snapshot_pictures(const fs::path& run, const json& summary,
       "set ylabel 'elevation (m)'\n";
   const double breached_s =
       summary.contains("breach") ? summary["breach"]["time_s"].get<double>() : std::numeric_limits<double>::infinity();
+  const double darkest = darkest_speed(water, frames, picks);
   const auto flow_at = [&](const json& frame) {
-    return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, fastest_shown);
+    return water.empty() ? "" : flow(water.boxes(frame["time_s"]), view, darkest);
   };
   const Film film{view, breached_s, decimals_of(frames.back()["time_s"])};
   const bool meshed = frames.front().contains("triangles");
   const std::string scale = meshed ? "; larger principal stress (MPa)" : "";
   const std::string legend =
       water.empty() ? fmt::format(" (contacts: green stick, red slip{}{})", silt_m ? "; hatched: silt" : "", scale)
-                    : fmt::format(" (water: the darker the faster, up to {} m/s)", fastest_shown);
+                    : fmt::format(" (water: the darker the faster, up to {} m/s)", darkest);
   const std::string title = summary.value("title", std::string("section"));
   const std::size_t columns = std::min<std::size_t>(3, picks.size());
   const std::size_t rows = (picks.size() + 2) / 3;

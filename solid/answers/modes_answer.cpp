@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Natural modes of a scene's structure at rest, without water and with it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -110,6 +112,16 @@ std::vector<std::string> warnings_of(const solid::Solid& blocks, const json& mod
   return warnings;
 }
 
+std::string does_not_rest(double level_m) {
+  const std::string found = "the structure does not come to rest under its loads";
+  const std::string expected = "; expected one that stands, of which natural modes are small motions; ";
+  if (std::isnan(level_m)) return found + expected + "run the scene to see what moves";
+  return fmt::format(
+      "{}, at a level of {:.6g} m, the last of the run{}set a lower one, as by --set "
+      "water.upstream_level_m=...; \"blockweir level\" finds the one at which it fails",
+      found, level_m, expected);
+}
+
 }  // namespace
 
 json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const WaterMass& water_mass) {
@@ -123,8 +135,7 @@ json modes_answer(const scene::Scene& given, const FluidMaker& make_fluid, const
   }
   solid::StaticBlocks at_rest(scene, now.water_if_any(), effort);
   if (!at_rest.begin(now.level_m)) {
-    throw std::runtime_error(
-        "the structure does not come to rest under its loads: natural modes are small motions of one that stands");
+    throw std::runtime_error(does_not_rest(now.level_m));
   }
   const solid::Solid& blocks = at_rest.solid();
   const Structure structure(blocks);

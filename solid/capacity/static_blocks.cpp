@@ -22,13 +22,14 @@ scene::Scene at_rest(scene::Scene scene) {
 }  // namespace
 
 std::string moving_most(const Solid& solid) {
-  const auto& states = solid.states();
-  const auto farthest =
-      std::max_element(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(solid.described()),
-                       [](const auto& a, const auto& b) {
-                         return a.displacement.template head<2>().norm() < b.displacement.template head<2>().norm();
-                       });
-  return solid.scene().blocks[static_cast<std::size_t>(farthest - states.begin())].name;
+  std::size_t most = 0;
+  double largest = 0;
+  for (std::size_t b = 0; b < solid.described(); ++b) {
+    if (solid.blocks()[b].fixed) continue;
+    const double moved = solid.blocks()[b].mass_per_m() * solid.states()[b].displacement.head<2>().norm();
+    if (moved > largest) largest = moved, most = b;
+  }
+  return solid.scene().blocks[most].name;
 }
 
 bool supports_move(const Solid& solid) {

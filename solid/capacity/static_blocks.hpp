@@ -12,7 +12,8 @@
 
 namespace blockweir::solid {
 
-/// The name of the block whose centroid has moved most from where it was drawn.
+/// The name of the block that has moved most from where it was drawn, by its mass times the way of its centroid: a
+/// crumb that has gone farther says nothing of the structure.
 std::string moving_most(const Solid& solid);
 
 /// Whether a support stands elsewhere at the run's end than the scene draws it.

@@ -15,8 +15,11 @@ namespace {
 scene::Scene filled(scene::Scene scene, const limit::LevelRange& range) {
   if (scene.analysis.gravity_tilt_deg != 0) {
     throw std::invalid_argument(
-        "gravity_tilt_deg of [analysis] is not 0; expected gravity along the y axis where there is water; turn the "
-        "blocks instead");
+        scene.fluid == scene::FluidModel::none
+            ? "gravity_tilt_deg of [analysis] is not 0, in a scene without [water]; expected gravity along the y axis: "
+              "this fills a reservoir; ask blockweir safety how the blocks stand, or turn them instead"
+            : "gravity_tilt_deg of [analysis] is not 0; expected gravity along the y axis where there is water; turn "
+              "the blocks instead");
   }
   if (scene.fluid == scene::FluidModel::column) {
     throw std::invalid_argument(

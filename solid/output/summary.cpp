@@ -20,8 +20,8 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
   if (counts.residual_m <= most * scene.analysis.failure_displacement_m) return {};
   return fmt::format(
       "in a step with many moving contacts, gaps and slips are off by {:.3g} m; expected at most {:.3g} m, {:g} of "
-      "[analysis] failure_displacement_m; the positions of moving blocks are no more accurate than that; shorten "
-      "[analysis] step_s (now {:.3g})",
+      "[analysis] failure_displacement_m; the positions of moving blocks are no more accurate than that; try another "
+      "[analysis] step_s (now {:.3g}): a shorter one is often better, but not always",
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
 

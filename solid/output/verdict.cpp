@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/constant_loads.hpp"
@@ -85,6 +86,9 @@ json failure(const expect::Outcome& o) {
         "stop_at_failure = true, or a shorter duration_s, ends it sooner",
         text.empty() ? "" : "; ", farthest_m);
   }
+  if (!o.failure.failed()) {
+    text += fmt::format("{}only crumbs of the drawing have failed: nothing else moves", text.empty() ? "" : "; ");
+  }
   if (!text.empty()) found["doubt"] = text;
   return found;
 }
@@ -155,7 +159,11 @@ json margin(const expect::Outcome& o) {
                         bent.size() - 1);
   }
   const ContactRow* slipped = nullptr;
+  const auto is_loose = [&](int b) {
+    return std::binary_search(o.failure.loose().begin(), o.failure.loose().end(), b);
+  };
   for (const ContactRow& c : o.last.contacts) {
+    if (is_loose(c.vertex_block) || is_loose(c.edge_block)) continue;  // their verdict is not asked for
     if (slipped == nullptr || std::abs(c.slip_m) > std::abs(slipped->slip_m)) slipped = &c;
   }
   constexpr double of_failure = 0.1;  // what strains slips by less
@@ -168,6 +176,7 @@ json margin(const expect::Outcome& o) {
     found["slip_joint"] = joint;
     text += fmt::format("; it has slipped by {:.3g} m on joint \"{}\"", std::abs(slipped->slip_m), joint);
   }
+  if (o.failure.judges_none()) text = "nothing was judged: all blocks that could fail fall from the start";
   found["text"] = text;
   return found;
 }
@@ -240,6 +249,24 @@ void add_breach(const expect::Outcome& outcome, json& text) {
   text["breach"] = {{"time_s", time_s}, {"crest_m", crest_m}, {"text", how}};
 }
 
+/// Where the loose blocks are at the run's end: the ground may have ended below them.
+std::string loose_end_text(const expect::Outcome& o) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const scene::Block& block : o.solid.scene().blocks) {
+    for (const scene::Point& p : block.vertices) lowest_m = std::min(lowest_m, p.y());
+  }
+  const auto& loose = o.failure.loose();
+  const auto gone =
+      std::count_if(loose.begin(), loose.end(), [&](int b) { return o.last.blocks[at(b)].centroid_m.y() < lowest_m; });
+  const double slow = o.solid.scene().analysis.failure_displacement_m;  // m/s: what rocks at its place is slower
+  const auto moving = std::count_if(
+      loose.begin(), loose.end(), [&](int b) { return o.last.blocks[at(b)].centroid_velocity_m_per_s.norm() > slow; });
+  std::string text;
+  if (gone > 0) text += fmt::format("; at the end {} had left the model, below its lowest point", gone);
+  if (moving > gone) text += fmt::format("{} {} of them moved", gone > 0 ? ", and" : "; at the end", moving);
+  return text;
+}
+
 void add_loose(const expect::Outcome& outcome, json& text) {
   const std::vector<int>& loose = outcome.failure.loose();
   if (loose.empty()) return;
@@ -247,7 +274,8 @@ void add_loose(const expect::Outcome& outcome, json& text) {
   for (const int b : loose) names.push_back(outcome.solid.blocks()[at(b)].name);
   text["loose"] = {{"blocks", names},
                    {"text", scene::loose_text(outcome.solid.scene(), loose) +
-                                ", as nothing holds what the scene draws there: the verdict is that of the others"}};
+                                ", as nothing holds what the scene draws there: the verdict is that of the others" +
+                                loose_end_text(outcome)}};
 }
 
 }  // namespace

@@ -196,7 +196,7 @@ bool CoupledSolid::finished() const {
     return !solid_.state().rest.found || solid_.state().rest.steps == 1;
   }
   if (interface_energy_.growth()) return true;
-  return analysis.stop_at_failure && !failure_.failures().empty();
+  return analysis.stop_at_failure && failure_.failed();
 }
 
 std::string CoupledSolid::state() const {

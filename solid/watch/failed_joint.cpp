@@ -31,6 +31,20 @@ bool is_one_surface(const LeftJoint& a, const LeftJoint& b) {
   return std::abs(cross(u, v)) <= sine * u.norm() * v.norm();
 }
 
+/// Is the joint the straight continuation of one that bears? The ends of a body press little on the plane that it
+/// slides on, or not at all.
+bool continues_a_bearing_one(const LeftJoint& joint, const std::vector<LeftJoint>& left, double least_normal) {
+  constexpr double on_line = 1e-4;  // of the bearing joint's length
+  if (joint.trace.pieces.empty()) return false;
+  return std::any_of(left.begin(), left.end(), [&](const LeftJoint& bearing) {
+    if (bearing.trace.pieces.empty() || bearing.normal <= least_normal) return false;
+    const Point from = bearing.trace.mouth();
+    const Point along = bearing.trace.end() - from;
+    const auto off = [&](const Point& p) { return std::abs(cross(along, p - from)); };
+    return std::max(off(joint.trace.mouth()), off(joint.trace.end())) <= on_line * along.squaredNorm();
+  });
+}
+
 }  // namespace
 
 FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
@@ -69,14 +83,15 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
     const LeftJoint& joint = left[i];
     const bool pressed = joint.normal > bears * whole;
     const bool untouched = joint.trace.pieces.empty();
-    if (!pressed && (untouched || slides)) continue;
+    if (!pressed && untouched) continue;
+    if (!pressed && slides && !continues_a_bearing_one(joint, left, bears * whole)) continue;
     if (slides && borne[i] < most) continue;
     double x = std::numeric_limits<double>::max();
     if (!untouched) x = from_downstream ? -joint.trace.end().x() : joint.trace.mouth().x();
     if (x >= farthest) continue;
     farthest = x;
     failed = {.name = name_of(joint)};
-    opens = !pressed;
+    opens = !pressed && !slides;
     if (!untouched) failed.line = {joint.trace.mouth(), joint.trace.end()};
   }
   if (!opens || whole <= 0) return failed;

@@ -18,8 +18,8 @@ struct FailedJoint {
 };
 
 /// Of the joints on which the body separates, the one that starts nearest to the higher pool; for sliding, on the
-/// surface that carries most. For rotation, open joints count, too. Blocks without a joint count if they press on each
-/// other now.
+/// surface that carries most, to the very end of the plane. For rotation, open joints count, too. Blocks without a
+/// joint count if they press on each other now.
 FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairMotions& pairs, bool turns,
                          bool from_downstream);
 

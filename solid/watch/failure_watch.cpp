@@ -8,6 +8,7 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/constant_loads.hpp"
+#include "bridge/scene/crumbs.hpp"
 #include "bridge/scene/loose_blocks.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/watch/energy_debt.hpp"
@@ -20,8 +21,7 @@ namespace blockweir::solid {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr int a_spell =
-    10;  ///< consecutive evaluations after which a straining block counts as at rest: sliding ones stick at times
+constexpr int a_spell = 10;  ///< evaluations after which what strains counts as at rest: what slides sticks at times
 
 }  // namespace
 
@@ -31,6 +31,7 @@ FailureWatch::FailureWatch(const Solid& solid)
       stands_(watched_.size(), true),
       unknown_(watched_.size()),
       guided_(watched_.size()),
+      crumbs_(scene::crumbs(solid.scene().blocks)),
       loads_stay_(scene::loads_are_constant(solid.scene())),
       loose_(scene::loose_blocks(solid.scene())) {
   for (const int b : loose_) watched_[at(b)].failed = true;
@@ -122,7 +123,6 @@ void FailureWatch::judge() {
 
 void FailureWatch::look(double time_s, const Levels& levels) {
   judge();
-  const double far = solid_.scene().analysis.failure_displacement_m;
   const double passed_s = solid_.time_s() - seen_s_;
   const Point base_moved = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(seen_s_);
   const int stood_at_start = solid_.starts_at_rest() ? a_spell : -a_spell;  // what sets out rings at first
@@ -156,11 +156,21 @@ void FailureWatch::look(double time_s, const Levels& levels) {
   }
   begun_ = true;
   seen_s_ = solid_.time_s();
+  name_failures();
+}
+
+/// Of the blocks that have gone as far as a failure.
+void FailureWatch::name_failures() {
+  const double far = solid_.scene().analysis.failure_displacement_m;
+  bool others_move = false;
   std::vector<std::pair<double, std::size_t>> far_gone;  // by displacement
   for (std::size_t b = 0; b < watched_.size(); ++b) {
-    if (stands_[b] || solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
+    if (solid_.blocks()[b].fixed || guided_[b] || watched_[b].failed) continue;
+    others_move = others_move || (!crumbs_[b] && watched_[b].next_s >= 0);
+    if (stands_[b]) continue;
     if (const double way = travel(b); way > far) far_gone.emplace_back(-way, b);
   }
+  if (others_move) std::erase_if(far_gone, [this](const auto& gone) { return crumbs_[gone.second]; });
   std::sort(far_gone.begin(), far_gone.end());
   for (const auto& [way, b] : far_gone) {
     if (watched_[b].failed) continue;  // with a body that went farther
@@ -169,12 +179,23 @@ void FailureWatch::look(double time_s, const Levels& levels) {
     for (const int other : failure.blocks) watched_[at(other)].failed = true;
     failures_.push_back(std::move(failure));
   }
+  const auto key = [this](const Failure& f) { return std::pair(of_crumbs(f), f.time_s); };
   std::stable_sort(failures_.begin(), failures_.end(),
-                   [](const auto& a, const auto& b) { return a.time_s < b.time_s; });
+                   [&](const Failure& f, const Failure& g) { return key(f) < key(g); });
+}
+
+bool FailureWatch::of_crumbs(const Failure& failure) const {
+  return std::all_of(failure.blocks.begin(), failure.blocks.end(), [this](int b) { return crumbs_[at(b)]; });
 }
 
 bool FailureWatch::is_loose(std::size_t b) const {
   return std::binary_search(loose_.begin(), loose_.end(), static_cast<int>(b));
+}
+
+bool FailureWatch::judges_none() const {
+  std::size_t judged = 0;
+  for (std::size_t b = 0; b < guided_.size(); ++b) judged += !solid_.blocks()[b].fixed && !guided_[b] && !is_loose(b);
+  return judged == 0 && !loose_.empty();
 }
 
 bool FailureWatch::rests_again() const {
@@ -207,7 +228,10 @@ std::optional<Moving> FailureWatch::moving() const {
     // A slow one may have begun to move.
     if (slow_[b] && (held[b] || !sets_out(b))) continue;
     const double fast = speed(b);
-    if (!fastest || fast > fastest->speed_m_per_s) fastest = {static_cast<int>(b), fast, travel(b)};
+    const auto key = [&](std::size_t other, double v) { return std::pair(!crumbs_[other], v); };
+    if (!fastest || key(b, fast) > key(at(fastest->block), fastest->speed_m_per_s)) {
+      fastest = {static_cast<int>(b), fast, travel(b)};
+    }
   }
   return fastest;
 }

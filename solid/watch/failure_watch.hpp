@@ -5,7 +5,8 @@
 // no rigid motion (mobility.hpp) in several evaluations: then it only strains or oscillates. A motion that carries a
 // vertex farther than failure_displacement_m without rest in between is a failure; a slip that ends in a new
 // equilibrium is not. Failure begins, and the level is taken, when the block was last at rest. Blocks that nothing
-// holds from the start, beside others that something does, are not judged.
+// holds from the start, beside others that something does, are not judged. A crumb (bridge/scene/crumbs.hpp) is taken
+// for the one that fails only while no other block moves.
 #pragma once
 
 #include "bridge/scene/joint_trace.hpp"
@@ -73,11 +74,20 @@ class FailureWatch {
   /// Whether every block was at rest, or strained slowly, at the last evaluation.
   [[nodiscard]] bool at_rest() const { return at_rest_; }
 
-  /// Failures so far, the earliest first.
+  /// Failures so far, the earliest first; those of crumbs alone come after the others.
   [[nodiscard]] const std::vector<Failure>& failures() const { return failures_; }
+
+  /// Whether anything but crumbs has failed.
+  [[nodiscard]] bool failed() const { return !failures_.empty() && !of_crumbs(failures_.front()); }
+
+  /// Whether only crumbs fail.
+  [[nodiscard]] bool of_crumbs(const Failure& failure) const;
 
   /// Blocks that are not judged, because they fall from the start.
   [[nodiscard]] const std::vector<int>& loose() const { return loose_; }
+
+  /// Whether all blocks but those are fixed or led by supports.
+  [[nodiscard]] bool judges_none() const;
 
   /// Whether all failed blocks were at rest at the last evaluation.
   [[nodiscard]] bool rests_again() const;
@@ -85,7 +95,7 @@ class FailureWatch {
   /// Largest displacement of a failed block's vertex from the scene as drawn, relative to the base [m].
   [[nodiscard]] double farthest_failed_m() const;
 
-  /// The fastest block that neither is at rest nor has failed; none if there is none.
+  /// The fastest block that neither is at rest nor has failed, a crumb only if no other is left; none if there is none.
   [[nodiscard]] std::optional<Moving> moving() const;
 
   template <class Archive>
@@ -116,6 +126,7 @@ class FailureWatch {
     }
   };
   void judge();
+  void name_failures();
   [[nodiscard]] bool is_loose(std::size_t block) const;
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
@@ -138,7 +149,8 @@ class FailureWatch {
   bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
   double seen_s_ = 0;         ///< time of the last evaluation
   std::vector<bool> guided_;  ///< by supports at two points, or ground: its motion is not a failure
-  bool loads_stay_ = false;   ///< nothing that acts changes with time: what fails would fail from the start
+  std::vector<bool> crumbs_;
+  bool loads_stay_ = false;  ///< nothing that acts changes with time: what fails would fail from the start
   std::vector<int> loose_;
   std::vector<Failure> failures_;
 };

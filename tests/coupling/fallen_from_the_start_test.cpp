@@ -43,6 +43,18 @@ TEST_F(FallenFromTheStart, StonesInTheAirDoNotTakeTheWallsVerdict) {
                                      "holds what the scene draws there: the verdict is that of the others\n"));
 }
 
+/// On rock that ends at 22 m, and beside a wall that supports lead.
+TEST_F(FallenFromTheStart, WhereAllThatCouldFailIsLooseNothingIsJudged) {
+  write_scene(
+      2.5, 2,
+      "[[support]]\nblock = \"wall\"\npoint_m = [0, 0]\ndisplacement_x_m = 0\ndisplacement_y_m = 0\n"
+      "[[support]]\nblock = \"wall\"\npoint_m = [0, 5]\ndisplacement_x_m = 0\n"
+      "[[block]]\nname = \"stone\"\nmaterial = \"m\"\nvertices_m = [[21.9, 0.5], [23, 0.5], [23, 1.5], [21.9, 1.5]]\n");
+  EXPECT_EQ(run()["outcome"], "stands");
+  EXPECT_THAT(text("out"), HasSubstr("STANDS  nothing was judged: all blocks that could fail fall from the start\n"));
+  EXPECT_THAT(text("out"), HasSubstr("at the end 1 had left the model, below its lowest point"));
+}
+
 TEST_F(FallenFromTheStart, LevelAndSafetyAnswerForTheWallAndNameTheStones) {
   write_scene(2.5, 2);
   for (const std::string command : {"level", "safety"}) {

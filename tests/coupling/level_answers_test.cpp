@@ -2,6 +2,7 @@
 // links: nlohmann_json::nlohmann_json fmt::fmt
 // The level of failure as a user gets it: blockweir level.
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include "tests/coupling/answers.hpp"
@@ -39,6 +40,26 @@ TEST_F(Answers, TheLevelOfBothExamplesIsThatOfTheFormula) {
 }
 
 /// Whatever the section and the law of its joint: where only strain and the search are between them.
+/// The upstream column of the body presses on the bed by less than a hundredth of all.
+TEST_F(Answers, TheHeadOfWhatSlidesCountsFromTheVeryEndOfItsPlane) {
+  ASSERT_EQ(ask("level " + cases + "jointed-dam-falls --json a.json"), 0) << text("out");
+  const json found = answer("a.json");
+  EXPECT_NEAR(found["head_m"].get<double>(), found["limit_analysis"]["head_m"].get<double>(), 1e-3);
+  EXPECT_NEAR(found["head_m"].get<double>(), 14.907, 1e-3);
+}
+
+TEST_F(Answers, ATiltedSlopeIsToldThatLevelFillsAReservoir) {
+  std::ofstream(folder / "s.toml")
+      << "analysis = { duration_s = 1, gravity_tilt_deg = 10 }\njoint = { friction_angle_deg = 30 }\n"
+         "material.m = { youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2400 }\n"
+         "[[block]]\nname = \"rock\"\nmaterial = \"m\"\nfixed = true\n"
+         "vertices_m = [[-9, -3], [9, -3], [9, 0], [-9, 0]]\n"
+         "[[block]]\nname = \"b\"\nmaterial = \"m\"\nvertices_m = [[0, 0], [2, 0], [2, 2], [0, 2]]\n";
+  EXPECT_NE(ask("level s.toml"), 0);
+  EXPECT_THAT(text("out"),
+              HasSubstr("in a scene without [water]; expected gravity along the y axis: this fills a reservoir"));
+}
+
 TEST_F(Answers, LevelsOfBothWaysThatDifferByLessThanAnEngineerReadsAgree) {
   for (const double breadth_m : {3.5, 4.0, 4.5}) {
     for (const int friction_deg : {23, 25, 27}) {

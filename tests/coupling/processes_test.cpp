@@ -198,6 +198,9 @@ TEST_F(Processes, CutDrawsTheBlocksWithoutARun) {
   EXPECT_EQ(text("a_b.png").substr(1, 3), "PNG");
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section"), 0) << text("out");
   EXPECT_THAT(text("out"), testing::HasSubstr("drawn in jointed-section-cut.png")) << "another scene's stays";
+  EXPECT_THAT(text("out"), testing::HasSubstr("1 name without room left out"));
+  EXPECT_EQ(shell(programs + "/blockweir plot " + cases + "jointed-section/scene.toml"), 2);
+  EXPECT_THAT(text("out"), testing::HasSubstr("scene.toml: found a file; expected the folder of a run"));
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out a.pdf"), 2);
   EXPECT_THAT(text("out"), testing::HasSubstr("expected a name that ends in .png or .svg"));
   EXPECT_EQ(shell(programs + "/blockweir cut " + cases + "jointed-section --out no/a.png"), 2);

@@ -105,9 +105,18 @@ initial_water_m = [[[0, 0], [3, 0], [3, 2.5], [0, 2.5]]]
 
 TEST_F(DamBreakPictures, ShowTheDrawnWaterAndWhatItsShadesMean) {
   const auto pictures = snapshot_pictures(folder, {{"title", "t"}, {"failure", {{"time_s", 2.0}}}}, ".png", false);
-  EXPECT_THAT(pictures.at(0).commands, AllOf(HasSubstr("'t (water: the darker the faster, up to 12 m/s)'"),
+  EXPECT_THAT(pictures.at(0).commands, AllOf(HasSubstr("'t (water: the darker the faster, up to 0.1 m/s)'"),
                                              HasSubstr("set title '0.00 s'"), HasSubstr("set title '2.00 s'"),
                                              Not(HasSubstr("set title '1.00 s'")), HasSubstr("set xrange [0:")));
+}
+
+TEST_F(DamBreakPictures, TheDarkestWaterIsTheFastestOfTheRunUpTo12MetresASecond) {
+  for (const auto& [speed, shown] : {std::pair{"0.39", "0.5"}, {"1.93", "2"}, {"60", "12"}}) {
+    write("openfoam/0/U",
+          std::string("internalField nonuniform List<vector>\n2\n(\n(") + speed + " 0 0)\n(0 0 0)\n)\n;");
+    const auto pictures = snapshot_pictures(folder, {{"title", "t"}}, ".png", false);
+    EXPECT_THAT(pictures.at(0).commands, HasSubstr(std::string("the darker the faster, up to ") + shown + " m/s)"));
+  }
 }
 
 }  // namespace

@@ -66,6 +66,12 @@ TEST(SceneKeys, AWrongUnitNamesTheRightOne) {
   expect_error(with("[water]", "[water]\nlevel_mm = 3"), 45, {"unknown key \"level_mm\"", "upstream_level_m, in m;"});
   expect_error(with("step_s = 0.01", "step = 0.01"), 5, {"expected step_s, in s;"});
   expect_error(with("window_s", "window_ms"), 49, {"expected window_s, in s;"});
+  EXPECT_THAT(errors(with("[water]", "[ice]\nthrust_kn_per_m = 150\nthickness_m = 0.5\n[water]")),
+              testing::Contains(HasSubstr("write thrust_n_per_m and give the value in N/m")));
+}
+
+TEST(SceneKeys, TheBeginningOfAKeyNamesIt) {
+  expect_error(with("friction_angle_deg", "friction"), 13, {"unknown key", "did you mean \"friction_angle_deg\"?"});
 }
 
 TEST(SceneKeys, KeysOfAnotherContactFormulationAreRefused) {

@@ -40,6 +40,7 @@ std::string set(const Magnitude& row, double value) {
                                                               {"load_case[]", "[[load_case]]"},
                                                               {"bolt[]", "[[bolt]]"},
                                                               {"ice", "[ice]"},
+                                                              {"earthquake", "[earthquake]"},
                                                               {"silt", "[silt]"}};
   const std::string key = row.key;
   std::string scene = with("[water]", "[water]\natmosphere = \"wet-faces\"");
@@ -55,6 +56,7 @@ std::string set(const Magnitude& row, double value) {
   if (row.section == std::string("load_case[]")) {
     scene += "[[load_case]]\nname = \"flood\"\nset = [\"title=x\"]\nsource = \"a guideline\"\n";
   }
+  if (row.section == std::string("earthquake")) scene += "[earthquake]\nhorizontal_coefficient = 0.1\n";
   if (row.section == std::string("silt")) scene += "[silt]\nlevel_m = 1\npressure_coefficient = 0.5\n";
   return set(scene, headings.at(row.section), key, value);
 }

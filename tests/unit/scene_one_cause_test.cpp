@@ -41,6 +41,14 @@ TEST(SceneOneCause, AHeapInAWallIsOneOverlap) {
                 "move one of the two, by its origin_m or its outline"});
 }
 
+TEST(SceneOneCause, AWrongLevelIsNotSaidToBeMissing) {
+  const auto wrong = sample::errors(
+      sample::with("[water]", "[ice]\nthickness_m = 0.5\nthrust_n_per_m = 1e5\n[water]\nupstream_level_m = \"high\"",
+                   sample::with("upstream_level_m", "downstream_level_m")));
+  EXPECT_THAT(wrong, testing::Not(testing::Contains(testing::HasSubstr("without a reservoir"))));
+  EXPECT_THAT(wrong, testing::Contains(testing::HasSubstr("upstream_level_m")));
+}
+
 TEST(SceneOneCause, BlocksThatOverlapAreNotSaidToBeApart) {
   const std::string two =
       "[[block]]\nname = \"a\"\nmaterial = \"m\"\nfixed = true\nvertices_m = [[0, 0], [2, 0], [2, 1], [0, 1]]\n"

@@ -77,10 +77,10 @@ TEST(SceneSampling, ASupportThatLeapsOrFlies) {
   expect_warning(led("{ steps = [[0, 0], [1, 0.05]] }"), 34,
                  {"displacement_x_m in [[support]] leaps by 0.05 m at 1 s: no block follows a jump",
                   "jumps of at most failure_displacement_m, 0.004 m"});
-  expect_warning(
-      led("{ sine = 20, frequency_hz = 0.5 }"), 34,
-      {"displacement_x_m in [[support]] goes 0.6282 m from", "within step_s, 0.01 s, which is unusual: 62.8 m/s",
-       "up to 0.02 m", "write values that are in mm as m"});
+  expect_warning(led("{ sine = 20, frequency_hz = 0.5 }"), 34,
+                 {"displacement_x_m in [[support]] goes 0.6282 m from",
+                  "within step_s, 0.01 s, which is unusual: 62.8 m/s, of block \"base\" at (0, 0) m", "up to 0.02 m",
+                  "write values that are in mm as m"});
   EXPECT_THAT(warnings(led("{ steps = [[0, 0], [1, 0.001]] }")), IsEmpty());
   EXPECT_THAT(warnings(led("{ sine = 0.02, frequency_hz = 0.5 }")), IsEmpty());
   EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", led("0.05"))), IsEmpty());

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: solid_watch
 // How what falls is said to fall, against motions that are known.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "solid/watch/failure_watch.hpp"
@@ -70,6 +71,54 @@ TEST(FailureModes, WhatTurnsOverItsToeIsSaidToTurnOnTheJointThatBears) {
   EXPECT_EQ(watch.failures().front().mode, "overturning");
   EXPECT_EQ(watch.failures().front().joint, "heel");
   EXPECT_EQ(watch.failures().front().turns_on, "toe");
+}
+
+/// Three blocks on a slope of 20 degrees with this friction, and a crumb far below them that nearly nothing holds.
+/// Looks until the crumb is `far` times as far as a failure.
+void crumb_slides(double friction_angle_deg, double far, const std::function<void(const FailureWatch&)>& see) {
+  auto scene = empty_scene();
+  scene.analysis.rigid = scene::Rigid::all;
+  scene.analysis.gravity_tilt_deg = 20;
+  scene.analysis.step_s = 2e-3;
+  scene.analysis.failure_displacement_m = 0.01;
+  auto& law = scene.default_joint;
+  law.friction_angle_deg = law.residual_friction_angle_deg = friction_angle_deg;
+  add(scene, {{-1, -1}, {9, -1}, {9, 0}, {-1, 0}}, true);
+  for (const double x : {0.0, 1.0, 2.0}) add(scene, {{x, 0}, {x + 1, 0}, {x + 1, 1}, {x, 1}});
+  add(scene, {{6, 0}, {6.005, 0}, {6.005, 0.005}, {6, 0.005}});
+  scene.joints = {{.name = "smooth", .between = {0, 4}, .law = law}};
+  scene.joints[0].law.friction_angle_deg = scene.joints[0].law.residual_friction_angle_deg = 1;
+  Solid solid(scene);
+  FailureWatch watch(solid);
+  watch.look(0, {});
+  for (int n = 0; solid.states()[4].displacement[0] < far * scene.analysis.failure_displacement_m; ++n) {
+    ASSERT_LT(n, 2000);
+    solid.advance(n * scene.analysis.step_s, (n + 1) * scene.analysis.step_s, {});
+    watch.look(solid.time_s(), {});
+  }
+  see(watch);
+}
+
+TEST(FailureModes, ACrumbIsNotNamedForTheBlocksThatMoveWithIt) {
+  crumb_slides(17, 1.1, [](const FailureWatch& watch) {
+    EXPECT_TRUE(watch.failures().empty()) << "the blocks have not gone as far";
+    ASSERT_TRUE(watch.moving());
+    EXPECT_NE(watch.moving()->block, 4);
+  });
+  crumb_slides(17, 20, [](const FailureWatch& watch) {
+    EXPECT_TRUE(watch.failed());
+    ASSERT_EQ(watch.failures().size(), 2U);
+    EXPECT_THAT(watch.failures()[0].blocks, testing::ElementsAre(1, 2, 3));
+    EXPECT_THAT(watch.failures()[1].blocks, testing::ElementsAre(4));
+  });
+}
+
+TEST(FailureModes, ACrumbThatSlidesAloneIsSaidToFail) {
+  crumb_slides(30, 1.5, [](const FailureWatch& watch) {
+    EXPECT_FALSE(watch.failed());
+    ASSERT_EQ(watch.failures().size(), 1U);
+    EXPECT_THAT(watch.failures()[0].blocks, testing::ElementsAre(4));
+  });
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "bridge/scene/read/differences.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
@@ -16,6 +17,19 @@ namespace {
 
 using Values = std::map<std::string, std::string>;
 
+/// Numbers in as few digits as say the same.
+std::string text_of(const toml::node& node) {
+  if (const auto* number = node.as_floating_point()) return fmt::format("{}", number->get());
+  if (const toml::array* list = node.as_array()) {
+    std::vector<std::string> texts;
+    for (const toml::node& entry : *list) texts.push_back(text_of(entry));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
+  std::ostringstream text;
+  node.visit([&](const auto& value) { text << value; });
+  return text.str();
+}
+
 /// Texts of all values by key. Entries of a list are called by their names, or else by their number.
 void collect(const toml::node& node, const std::string& key, Values& into) {
   const auto below = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
@@ -28,9 +42,7 @@ void collect(const toml::node& node, const std::string& key, Values& into) {
       collect((*list)[i], below(name.value_or(std::to_string(i))), into);
     }
   } else {
-    std::ostringstream text;
-    node.visit([&](const auto& value) { text << value; });
-    into[key] = text.str();
+    into[key] = text_of(node);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "bridge/scene/read/key_homes.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -38,11 +39,23 @@ Quantity split(std::string_view key) {
   return best;
 }
 
-/// kg_per_m3 as one reads it: kg/m3.
+/// kg_per_m3 as one reads it: kg/m3. Units named after people have a capital.
 std::string spelled(std::string_view unit) {
   std::string text(unit);
   const auto per = text.find("_per_");
-  return per == std::string::npos ? text : text.replace(per, 5, "/");
+  if (per != std::string::npos) text.replace(per, 5, "/");
+  for (const std::string_view person : {"n", "pa", "hz"}) {
+    const bool alone = text.starts_with(person) && (text.size() == person.size() || text[person.size()] == '/');
+    if (alone) text[0] = static_cast<char>(std::toupper(text[0]));
+  }
+  return text;
+}
+
+/// The key that begins with the word: `friction` is meant as friction_angle_deg.
+std::string begun_by(std::string_view word, const std::vector<std::string>& keys) {
+  const std::string start = std::string(word) + "_";
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& key) { return key.starts_with(start); });
+  return found == keys.end() ? "" : fmt::format("did you mean \"{}\"?", *found);
 }
 
 /// The key that says the same quantity in another unit: by its full name, else by the end of it.
@@ -63,7 +76,10 @@ std::string same_quantity(const Quantity& found, const std::vector<std::string>&
 KeyAdvice key_advice(std::string_view word, const std::vector<std::string>& keys) {
   if (const std::string home = home_advice(word); !home.empty()) return {one_of(keys), home};
   const std::string twin = same_quantity(split(word), keys);
-  if (twin.empty()) return {one_of(keys), did_you_mean(word, keys)};
+  if (twin.empty()) {
+    const std::string longer = begun_by(word, keys);
+    return {one_of(keys), longer.empty() ? did_you_mean(word, keys) : longer};
+  }
   const std::string unit = spelled(split(twin).unit);
   return {fmt::format("{}, in {}", twin, unit), fmt::format("write {} and give the value in {}", twin, unit)};
 }

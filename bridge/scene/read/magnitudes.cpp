@@ -55,6 +55,8 @@ constexpr Magnitude table_of_magnitudes[] = {
     {"water", "atmospheric_pressure_pa", "Pa", 3e4, 1.2e5, {kilopascals, {"hPa", 100}, {"bar", 1e5}}},
     {"ice", "thickness_m", "m", 0.1, 2, {{"cm", 0.01}, {"mm", 0.001}}},
     {"ice", "thrust_n_per_m", "N/m", 5e3, 2e6, {kilonewtons, meganewtons}, "", grows_with_size},
+    {"earthquake", "horizontal_coefficient", "", 1e-3, 0.6, {{"m/s2", 1 / 9.81}, percent}, "a share of gravity"},
+    {"earthquake", "vertical_coefficient", "", 1e-3, 0.6, {{"m/s2", 1 / 9.81}, percent}, "a share of gravity"},
     {"silt", "submerged_density_kg_per_m3", "kg/m3", 100, 2000, {{"kN/m3", 1000 / 9.81}, tonnes}},
     {"bolt[]", "prestress_n_per_m", "N/m", 2000, 1e8, {kilonewtons, meganewtons}, "", grows_with_size},
     {"bolt[]", "yield_n_per_m", "N/m", 2000, 1e9, {kilonewtons, meganewtons}, "", grows_with_size},
@@ -261,6 +263,7 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
   check_levels(file, scene, problems);
   check_gaps(scene, problems);
   check_corner_stands(scene, problems);
+  check_crumbs(scene, problems);
 }
 
 }  // namespace blockweir::scene

@@ -50,6 +50,9 @@ void check_gaps(const Scene& scene, Problems& problems);
 /// Warns of blocks that stand on one corner in a structure that starts at rest.
 void check_corner_stands(const Scene& scene, Problems& problems);
 
+/// Warns of blocks far smaller than the others, and names the smallest.
+void check_crumbs(const Scene& scene, Problems& problems);
+
 /// Warns of parts far larger than the ground below them, or than the water in front of them: probably another unit of
 /// length.
 void check_proportions(const toml::table& file, const Scene& scene, Problems& problems);

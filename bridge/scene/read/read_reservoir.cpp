@@ -15,7 +15,8 @@ namespace {
 
 /// Reports loads that act through the reservoir, if the scene has no still water.
 void require_still_water(TableReader& table, Reading& reading) {
-  if (still_pools(reading.scene.fluid) && reading.scene.water.upstream_level_m) return;
+  const bool stated = reading.file["water"]["upstream_level_m"].node() != nullptr;  // a wrong one is told of there
+  if (still_pools(reading.scene.fluid) && stated) return;
   const FluidModel model = reading.scene.fluid;
   const bool other = model == FluidModel::openfoam || model == FluidModel::external;
   reading.problems.error(table.place(),
