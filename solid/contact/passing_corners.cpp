@@ -2,6 +2,7 @@
 #include "solid/contact/passing_corners.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace blockweir::solid {
 
@@ -131,6 +132,31 @@ bool PassingCorners::turned_on(const std::vector<Placement>& placements, double 
     if (gap < -std::max(left_m, outlines_.give_m()) && encloses(edges, vertex)) turned_on_.push_back(c);
   }
   return turned_on_.size() > before;
+}
+
+bool PassingCorners::did_miss(const ContactPoint& c) const {
+  return std::any_of(missed_.begin(), missed_.end(), [&](const ContactPoint& m) { return m.same_key(c); });
+}
+
+/// Not where the other block goes on beyond the end. When the vertex is there follows from what was expected: the force
+/// that it should not have had has slowed it down.
+bool PassingCorners::note_missed(const ContactPoint& c, double opened_m, const Point& expected, double slip_m,
+                                 double least_m) {
+  if (expected.x() <= least_m || did_enter(c)) return false;
+  const auto& edges = outlines_.of(c.edge_block);
+  const std::size_t to = next(at(c.edge), edges.size());
+  const Point span = edges[to] - edges[at(c.edge)];
+  const double to_end = std::max(0.0, (slip_m > 0 ? 1 - c.anchor : c.anchor) * span.norm());
+  if (to_end >= std::abs(slip_m)) return false;
+  const std::size_t end = slip_m > 0 ? to : at(c.edge);
+  const Point in = (edges[end] - edges[previous(end, edges.size())]).normalized();
+  const Point out = (edges[next(end, edges.size())] - edges[end]).normalized();
+  if (cross(in, out) <= parallel_tolerance) return false;
+  const double share = to_end / std::max(to_end, slip_m > 0 ? expected.y() : -expected.y());
+  const double gap_at_end = c.gap - opened_m - (to_end > 0 ? share * expected.x() : 0);
+  if (gap_at_end < -least_m) return false;
+  missed_.push_back(c);
+  return true;
 }
 
 }  // namespace blockweir::solid

@@ -28,6 +28,7 @@ class PassingCorners {
   /// In the step at hand.
   [[nodiscard]] bool did_enter(const ContactPoint& c) const;
   [[nodiscard]] bool presses_too(const ContactPoint& c) const;
+  [[nodiscard]] bool did_miss(const ContactPoint& c) const;
   /// How near a contact is to being the one of its meeting: of corners that a step has taken into each other that edge
   /// is the entrance which the step has left least behind [m].
   [[nodiscard]] double nearness(const ContactPoint& c) const;
@@ -38,9 +39,10 @@ class PassingCorners {
   [[nodiscard]] bool entered(const std::vector<Placement>& placements, const std::vector<ContactPoint>& contacts,
                              double left_m, const std::vector<int>& island);
   [[nodiscard]] bool turned_on(const std::vector<Placement>& placements, double left_m);
+  bool note_missed(const ContactPoint& c, double opened_m, const Point& expected, double slip_m, double least_m);
   /// Of the blocks of an island, by increasing number, with each other and with other blocks; each once.
   [[nodiscard]] std::vector<const ContactPoint*> of(const std::vector<int>& island) const;
-  void forget_entered() { entered_.clear(), turned_on_.clear(); }
+  void forget_step() { entered_.clear(), turned_on_.clear(), missed_.clear(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -64,6 +66,7 @@ class PassingCorners {
   std::array<std::vector<Point>, 2> moved_;      ///< outlines of such corners' blocks
   std::vector<ContactPoint> entered_;            ///< passing corners that entered a block in this step
   std::vector<ContactPoint> turned_on_;          ///< of those stood for, the ones that press too in it
+  std::vector<ContactPoint> missed_;             ///< whose vertices leave the edge's end in it and do not press
 };
 
 }  // namespace blockweir::solid

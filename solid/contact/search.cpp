@@ -133,8 +133,8 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass. In a
       // notch nothing passes: the edge goes on in its wall, and what slides on that will meet it.
       const bool in_notch = beyond > 0 && reflex(E, s < 0 ? e : next(e, E.size()));
-      const bool meets =
-          beyond <= std::max(outlines_.coincidence_m(), (gap - opened) / 2) || in_notch || passing_.did_enter(contact);
+      const bool near = beyond <= std::max(outlines_.coincidence_m(), (gap - opened) / 2) || in_notch;
+      const bool meets = passing_.did_enter(contact) || (near && !passing_.did_miss(contact));
       meets ? found_.all.push_back(contact) : passing_.add(contact);
     }
   }

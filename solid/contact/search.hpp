@@ -61,12 +61,18 @@ class ContactSearch {
   [[nodiscard]] bool turned_on(const std::vector<Placement>& placements, double left_m) {
     return passing_.turned_on(placements, left_m);
   }
+  /// Had a vertex that pressed left the edge by its end before it came to it? `expected`: its way (towards the edge,
+  /// along it) by the velocities that the step began with, `slip_m` the way along it in the step. What comes no nearer
+  /// than by `least_m` is left as it is. If so, the next search from the same start leaves the contact out.
+  [[nodiscard]] bool missed(const ContactPoint& c, const Point& expected, double slip_m, double least_m) {
+    return passing_.note_missed(c, openings_.of(c), expected, slip_m, least_m);
+  }
   /// Corners near each other that are no contact: an island's, as the last search found them.
   [[nodiscard]] std::vector<const ContactPoint*> passing(const std::vector<int>& island) const {
     return passing_.of(island);
   }
   /// The step is made: the next one begins with none that have.
-  void forget_entered() { passing_.forget_entered(); }
+  void forget_step() { passing_.forget_step(); }
 
   [[nodiscard]] long broad_searches() const { return pairs_.searches(); }
 

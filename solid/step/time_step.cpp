@@ -75,8 +75,31 @@ bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
   }
   if (state_.search.entered(trial_.placement, state_.contacts, left_m)) return false;
   if (mode.in_motion() && state_.search.turned_on(trial_.placement, left_m)) return false;
-  state_.search.forget_entered();
+  if (mode.in_motion() && any_missed()) return false;
+  state_.search.forget_step();
   return true;
+}
+
+/// Of the contacts that closed in the step: did one press beyond the end of its edge, though its vertex had left that
+/// before it came to it? The rear corner of a block that slides over an edge and tips does: its face turns about the
+/// edge, and the way that it goes on is along that face, not along the line of what it has left.
+bool TimeStep::any_missed() {
+  bool any = false;
+  for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
+    const ContactPoint& c = state_.contacts[k];
+    const bool was_open = formulation_->before().contact(static_cast<int>(k)).state == ContactState::open;
+    if (c.state == ContactState::open || !was_open) continue;
+    const Interaction ends = interaction_of(c, edge_frame(trial_.at_start(), c), 0);
+    Point expected = Point::Zero();  // its way off the edge, and along it
+    for (const bool second : {false, true}) {
+      const auto b = at(ends.block(second));
+      const Vector6 rate = trial_.rate(b, state_.placements[b], state_.blocks[b].velocity);
+      expected += (second ? -trial_.dt : trial_.dt) * (ends.shape(state_.placements[b], second) * rate);
+    }
+    const double slip = separation_of(trial_.now(), c, edge_frame(trial_.now(), c)).value.y();
+    any = state_.search.missed(c, {-expected.x(), expected.y()}, slip, trial_.fall_m()) || any;
+  }
+  return any;
 }
 
 /// Loads of the step, and the initial state of its blocks and supports.

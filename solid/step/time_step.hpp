@@ -26,6 +26,7 @@ class TimeStep : StepPart {
   Outcome attempt_again(const Stretch& stretch, const StepMode& mode);
   void begin_with_forces_tried();
   [[nodiscard]] bool has_seen(bool made, double moved_m, const StepMode& mode);
+  [[nodiscard]] bool any_missed();
   [[nodiscard]] bool any_found(Found what) const;
   bool find_contacts();
   void begin(const Stretch& stretch, const StepMode& mode);
