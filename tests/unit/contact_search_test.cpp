@@ -182,7 +182,7 @@ class PassingCorners : public testing::Test {
     moved.head<2>() << x_m, y_m;
     after[1] = Placement(parts_.blocks[1].centroid, moved);
     const bool has = search_.entered(after, contacts_, 0);
-    if (!has) search_.forget_entered();
+    if (!has) search_.forget_step();
     return has;
   }
 
