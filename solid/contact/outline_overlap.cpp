@@ -38,6 +38,18 @@ double distance_m(const std::vector<Point>& outline, const Point& p) {
   return least;
 }
 
+/// Does the line of one of a's sides part the two, but for so much? So it does where blocks lie on each other.
+bool parted(const std::vector<Point>& a, const std::vector<Point>& b, double but_for_m) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Point span = a[next(i, a.size())] - a[i];
+    const double least = but_for_m / 2 * span.norm();
+    const auto behind = [&](const Point& p) { return cross(p - a[i], span) < -least; };
+    const auto before = [&](const Point& p) { return cross(p - a[i], span) > least; };
+    if (std::none_of(b.begin(), b.end(), behind) && std::none_of(a.begin(), a.end(), before)) return true;
+  }
+  return false;
+}
+
 /// Fractions of a side at its ends and where others cross it, by size.
 std::vector<double> pieces(const Side& side, const std::vector<Side>& others) {
   std::vector<double> at = {0, 1};
@@ -65,6 +77,7 @@ double overlap_m(const std::vector<Point>& a, const std::vector<Point>& b, doubl
   const Box common = box_of(a).intersection(box_of(b));
   double deepest = known_m;
   if (common.isEmpty() || common.sizes().minCoeff() <= deepest) return deepest;
+  if (parted(a, b, known_m) || parted(b, a, known_m)) return deepest;
   const std::vector<Side> of_a = sides_in(common, a);
   const std::vector<Side> of_b = sides_in(common, b);
   const auto look = [&](const Point& p, const std::vector<Point>& other) {

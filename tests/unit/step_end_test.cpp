@@ -3,6 +3,8 @@
 // What follows once a step's equilibrium is found: velocities, energy, overlaps.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "solid/step/constrained_velocities.hpp"
 #include "solid/step/newton.hpp"
 #include "solid/step/push_apart.hpp"
@@ -71,6 +73,42 @@ TEST(PushApart, AStoneInTheGroundIsLiftedOutOfIt) {
   EXPECT_TRUE(PushApart(sample.step).push(sample.island()));
   EXPECT_NEAR(sample.state.blocks[1].displacement[1], 0, 2e-7);
   EXPECT_FALSE(PushApart(sample.step).push(sample.island()));
+}
+
+/// Of a stone's lower left corner at this place, the lower side of the stone dipping by 0.07 rad, with the floor of a
+/// ledge: that ends on its left at a wall of 0.3 m, in a notch.
+Meeting with_floor(const Point& corner) {
+  constexpr double dip = 0.07;
+  scene::Scene scene = stones();
+  scene.blocks[0].vertices = {{-5, -1}, {15, -1}, {15, 0}, {0, 0}, {0, 0.3}, {-5, 0.3}};
+  const Point along(std::cos(dip), -std::sin(dip));
+  const Point up(std::sin(dip), std::cos(dip));
+  scene.blocks[1].vertices = {corner, corner + along, corner + along + up, corner + up};
+  Sample sample(scene);
+  sample.begin(dt);
+  const ContactSide& floor = sample.model.parts.contact_outlines[0][2];
+  ContactPoint c;
+  c.vertex_block = c.vertex_part = 1;
+  c.vertex_at = sample.model.parts.contact_outlines[1][0].from;
+  c.edge = 2;
+  c.edge_from = floor.from;
+  c.edge_to = floor.to;
+  return Meetings(sample.step).of_contact(c);
+}
+
+TEST(Meetings, PastAFaceThatEndsInANotchAreInFrontOfItsLine) {
+  EXPECT_NEAR(with_floor({-0.2, 0.4}).gap, 0.4, 1e-9) << "-0.2 m before: over the wall, but behind its face";
+}
+
+TEST(Meetings, BehindAFaceAreOverlapsInItsBlockAlone) {
+  EXPECT_NEAR(with_floor({5, -0.001}).gap, -0.001, 1e-9);
+  EXPECT_TRUE(std::isinf(with_floor({5, -4}).gap));
+}
+
+TEST(Meetings, OfACornerFarBehindAFaceLeadOutByTheNearest) {
+  const Meeting meeting = with_floor({-3, -0.9});
+  EXPECT_NEAR(meeting.gap, -0.1, 1e-9);
+  EXPECT_NEAR(meeting.normal.y(), -1, 1e-9);
 }
 
 }  // namespace
