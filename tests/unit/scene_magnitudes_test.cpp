@@ -108,6 +108,17 @@ TEST(SceneMagnitudes, EachLawOfAJointIsLookedAt) {
                   "if it is in radians, write 34.38"});
 }
 
+TEST(SceneMagnitudes, APoolDownstreamAloneIsNoPoolForUplift) {
+  const auto downstream = [](const std::string& uplift) {
+    return warnings(with("upstream_level_m", "downstream_level_m",
+                         with("friction_angle_deg = 30", "friction_angle_deg = 30" + uplift)));
+  };
+  const auto is_told = Contains(HasSubstr("there is a downstream pool and no upstream one"));
+  EXPECT_THAT(downstream("\nuplift = 'triangular'"), is_told);
+  EXPECT_THAT(downstream("\nuplift = 'flow'\naperture_m = 1e-4"), Not(is_told));
+  EXPECT_THAT(downstream(""), Not(is_told));
+}
+
 TEST(SceneMagnitudes, SiltAboveTheCrestIsADepth) {
   const std::string silt = "[silt]\nsubmerged_density_kg_per_m3 = 900\npressure_coefficient = 0.5\nlevel_m = ";
   expect_warning(text + silt + "4.5\n", 59, {"level_m in [silt] is 4.5 m, above the crest at 4 m", "not a depth"});

@@ -107,6 +107,21 @@ void check_windows(const char* key, const TimeTable& level, const toml::table& f
   check_crests(name, place, level, looks, depth_m, problems);
 }
 
+/// Laws of uplift tell a crack's ends apart by the pools: of an upright joint, which has a pool on one side alone, the
+/// upstream end is taken for the one that the upstream pool would wet.
+void check_lone_tailwater(const toml::table& file, const Scene& scene, Problems& problems) {
+  const auto tells_ends_apart = [](const JointLaw& law) { return law.uplift != Uplift::none && !law.has_flow(); };
+  const bool any = tells_ends_apart(scene.default_joint) ||
+                   std::any_of(scene.joints.begin(), scene.joints.end(),
+                               [&](const auto& joint) { return tells_ends_apart(joint.law); });
+  if (!any) return;
+  problems.warning(problems.at(file["water"]["downstream_level_m"].node()->source()),
+                   "there is a downstream pool and no upstream one, which is unusual with uplift: where a joint's end "
+                   "is dry, its pressure is that of the other pool, here none",
+                   "the pool that presses on the structure upstream, where x is small",
+                   "mirror the scene and state upstream_level_m, or uplift = \"flow\"");
+}
+
 }  // namespace
 
 void check_levels(const toml::table& file, const Scene& scene, Problems& problems) {
@@ -126,6 +141,7 @@ void check_levels(const toml::table& file, const Scene& scene, Problems& problem
     // OpenFOAM's mesh is as high as the table, whenever it comes there.
     if (still_pools(scene.fluid)) check_end(key, **level, file, scene, problems);
   }
+  if (!up && down && still_pools(scene.fluid)) check_lone_tailwater(file, scene, problems);
   if (!up || !down) return;
   std::vector<double> times = corners(*up, scene.analysis.duration_s);
   for (const double t : corners(*down, scene.analysis.duration_s)) times.push_back(t);
