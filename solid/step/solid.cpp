@@ -28,6 +28,17 @@ double until_turned(const Model& model, const State& state) {
   return ContactSearch::most_turn / fastest;
 }
 
+/// Of a fall, by the outlines: contacts measure only what the search has seen. What springs and strains give way is no
+/// overlap.
+void look_at_overlaps(StepWorkspace& step) {
+  if (!step.trial.falls()) return;
+  const Stopwatch watch(step.profile.search);
+  double give_m = step.model.give_under_weight_m;
+  for (const ContactPoint& c : step.state.contacts) give_m = std::max(give_m, -step.formulation->gap_under_force_m(c));
+  const double known_m = step.counts.overlap_m + give_m;
+  step.counts.overlap_m = step.state.search.overlap_m(step.state.placements, known_m) - give_m;
+}
+
 }  // namespace
 
 void Solid::settle(const std::vector<Panel>& water) {
@@ -81,23 +92,12 @@ void Solid::advance(double from_s, double to_s, PressureHistory& water, const An
     state_.next_dt = dt / 4;
     if (state_.next_dt < smallest_step) refuse_step(step_, time, dt, outcome);
   }
-  look_at_overlaps();
+  look_at_overlaps(step_);
   // Steps without velocities move a slipping block a short way each: whether it stops is known at the window's end.
   constexpr double balanced = 5e-5;  // of the weight
   if (model_.is(scene::AnalysisKind::quasi_static) && rest_.unbalanced_ratio() > balanced) {
     rest_.come_to_rest(water.at(to_s), to_s);
   }
-}
-
-/// Of a fall, by the outlines: contacts measure only what the search has seen. What springs and strains give way is no
-/// overlap.
-void Solid::look_at_overlaps() {
-  if (!step_.trial.falls()) return;
-  const Stopwatch watch(step_.profile.search);
-  double give_m = model_.give_under_weight_m;
-  for (const ContactPoint& c : state_.contacts) give_m = std::max(give_m, -step_.formulation->gap_under_force_m(c));
-  const double known_m = step_.counts.overlap_m + give_m;
-  step_.counts.overlap_m = state_.search.overlap_m(state_.placements, known_m) - give_m;
 }
 
 Counts Solid::counts() const {

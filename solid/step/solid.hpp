@@ -76,8 +76,6 @@ class Solid {
   }
 
  private:
-  void look_at_overlaps();
-
   Model model_;
   State state_;
   StepWorkspace step_;
