@@ -71,11 +71,12 @@ double PushApart::deepest_m() const {
   return deepest;
 }
 
-/// As far as leaves less overlap, of which pushes as straight lines tell little where they turn a block. False where
-/// none does: then blocks stay where the step has moved them.
+/// As far as leaves no much deeper overlap, of which pushes as straight lines tell little where they turn a block. False
+/// where all do: then blocks stay where the step has moved them. One that is somewhat deeper the next push takes out.
 bool PushApart::push_once(const IslandEquations& s) {
   constexpr double less = 0.25;
   constexpr int most_trials = 3;
+  constexpr double deeper = 4;
   const double before_m = deepest_m();
   const Push push = find_push(s);
   std::vector<double> anchors;
@@ -84,7 +85,7 @@ bool PushApart::push_once(const IslandEquations& s) {
   for (int trial = 0; trial < most_trials; ++trial, share *= less) {
     carry_out(s, push, share);
     meet(s);
-    if (deepest_m() <= before_m) return true;
+    if (deepest_m() <= deeper * before_m) return true;
     carry_out(s, push, -share);
     for (std::size_t i = 0; i < anchors.size(); ++i) state_.contacts[at(s.island.contacts[i])].anchor = anchors[i];
   }
