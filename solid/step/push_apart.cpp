@@ -54,7 +54,7 @@ bool PushApart::push(const IslandEquations& s) {
     std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, moved_m, deepest_m); });
     for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
   }
-  while (pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps) && push_once(s)) ++pushes;
+  for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) push_once(s);
   for (std::size_t i = 0; i < s.island.contacts.size(); ++i) {
     ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
     const double gap = std::isinf(meetings_[i].gap) ? 0 : meetings_[i].gap;
@@ -71,26 +71,10 @@ double PushApart::deepest_m() const {
   return deepest;
 }
 
-/// As far as leaves no much deeper overlap, of which pushes as straight lines tell little where they turn a block. False
-/// where all do: then blocks stay where the step has moved them. One that is somewhat deeper the next push takes out.
-bool PushApart::push_once(const IslandEquations& s) {
-  constexpr double less = 0.25;
-  constexpr int most_trials = 3;
-  constexpr double deeper = 4;
-  const double before_m = deepest_m();
+void PushApart::push_once(const IslandEquations& s) {
   const Push push = find_push(s);
-  std::vector<double> anchors;
-  for (const int k : s.island.contacts) anchors.push_back(state_.contacts[at(k)].anchor);
-  double share = affordable(push, before_m);
-  for (int trial = 0; trial < most_trials; ++trial, share *= less) {
-    carry_out(s, push, share);
-    meet(s);
-    if (deepest_m() <= deeper * before_m) return true;
-    carry_out(s, push, -share);
-    for (std::size_t i = 0; i < anchors.size(); ++i) state_.contacts[at(s.island.contacts[i])].anchor = anchors[i];
-  }
+  carry_out(s, push, affordable(push, deepest_m()));
   meet(s);
-  return false;
 }
 
 /// No block is pushed farther than the step has moved one and leaves it in another, nor turned farther than a step may.

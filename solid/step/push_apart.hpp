@@ -31,7 +31,7 @@ class PushApart : StepPart {
   void meet(const IslandEquations& island);
   [[nodiscard]] double lasting_m(const IslandEquations& island) const;
   [[nodiscard]] double deepest_m() const;
-  bool push_once(const IslandEquations& island);
+  void push_once(const IslandEquations& island);
   [[nodiscard]] Push find_push(const IslandEquations& island) const;
   [[nodiscard]] double affordable(const Push& push, double deepest_m) const;
   void carry_out(const IslandEquations& island, const Push& push, double share);
