@@ -154,8 +154,7 @@ bool PassingCorners::note_missed(const ContactPoint& c, double opened_m, const P
   if (cross(in, out) <= parallel_tolerance) return false;
   const double share = to_end / std::max(to_end, slip_m > 0 ? expected.y() : -expected.y());
   const double gap_at_end = c.gap - opened_m - (to_end > 0 ? share * expected.x() : 0);
-  constexpr double clearly = 0.1;  // of what moves in the step by weight alone: what comes nearer may yet be met
-  if (gap_at_end < clearly * least_m) return false;
+  if (gap_at_end < -least_m) return false;
   missed_.push_back(c);
   return true;
 }

@@ -185,6 +185,7 @@ void SweptEquilibrium::stand(IslandEquations& s) {
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
   const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
   counts_.factorizations += forces.solutions();
+  counts_.iterations += forces.solutions();
   if (!found) return;
   auto& rows = s.sweeps.rows();
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].force = forces.force(row);

@@ -80,6 +80,22 @@ bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
   return true;
 }
 
+/// Did one end of the contact's edge press on a side of its vertex as the step began? That end keeps the vertex's block
+/// off, whatever becomes of the contact.
+bool TimeStep::slid_over_its_end(const ContactPoint& c) const {
+  const std::size_t corners = model_.parts.contact_outlines[at(c.vertex_block)].size();
+  const std::size_t sides = model_.parts.contact_outlines[at(c.edge_block)].size();
+  for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
+    const ContactPoint& other = state_.contacts[k];
+    if (other.vertex_block != c.edge_block || other.edge_block != c.vertex_block) continue;
+    const bool at_end = other.vertex == c.edge || at(other.vertex) == next(at(c.edge), sides);
+    const bool on_side = other.edge == c.vertex || next(at(other.edge), corners) == at(c.vertex);
+    const bool pressed = formulation_->before().contact(static_cast<int>(k)).state != ContactState::open;
+    if (at_end && on_side && pressed) return true;
+  }
+  return false;
+}
+
 /// Of the contacts that closed in the step: did one press beyond the end of its edge, though its vertex had left that
 /// before it came to it? The rear corner of a block that slides over an edge and tips does: its face turns about the
 /// edge, and the way that it goes on is along that face, not along the line of what it has left.
@@ -88,7 +104,7 @@ bool TimeStep::any_missed() {
   for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
     const ContactPoint& c = state_.contacts[k];
     const bool was_open = formulation_->before().contact(static_cast<int>(k)).state == ContactState::open;
-    if (c.state == ContactState::open || !was_open) continue;
+    if (c.state == ContactState::open || !was_open || !slid_over_its_end(c)) continue;
     const Interaction ends = interaction_of(c, edge_frame(trial_.at_start(), c), 0);
     Point expected = Point::Zero();  // its way off the edge, and along it
     for (const bool second : {false, true}) {

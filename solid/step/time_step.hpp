@@ -27,6 +27,7 @@ class TimeStep : StepPart {
   void begin_with_forces_tried();
   [[nodiscard]] bool has_seen(bool made, double moved_m, const StepMode& mode);
   [[nodiscard]] bool any_missed();
+  [[nodiscard]] bool slid_over_its_end(const ContactPoint& c) const;
   [[nodiscard]] bool any_found(Found what) const;
   bool find_contacts();
   void begin(const Stretch& stretch, const StepMode& mode);

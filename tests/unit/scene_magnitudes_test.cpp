@@ -115,7 +115,7 @@ TEST(SceneMagnitudes, APoolDownstreamAloneIsNoPoolForUplift) {
   };
   const auto is_told = Contains(HasSubstr("there is a downstream pool and no upstream one"));
   EXPECT_THAT(downstream("\nuplift = 'triangular'"), is_told);
-  EXPECT_THAT(downstream("\nuplift = 'flow'\naperture_m = 1e-4"), Not(is_told));
+  EXPECT_THAT(downstream("\nuplift = 'flow'"), Not(is_told));
   EXPECT_THAT(downstream(""), Not(is_told));
 }
 
