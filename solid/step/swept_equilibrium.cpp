@@ -184,8 +184,6 @@ void SweptEquilibrium::stand(IslandEquations& s) {
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
   const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
-  counts_.factorizations += forces.solutions();
-  counts_.iterations += forces.solutions();
   if (!found) return;
   auto& rows = s.sweeps.rows();
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].force = forces.force(row);
