@@ -95,8 +95,7 @@ void add_friction_history(const limit::LimitAnalysis& structure, const StaticStr
   answer["friction_history"] = fmt::format(
       "with strength over {:.4g} to {:.4g}, as far as these analyses found, some forces in the joints hold the "
       "structure and others do not; which come about depends on how it was loaded, so that the blocks' factor may jump "
-      "between "
-      "these from one level to the next, and a run may fail below them",
+      "between these from one level to the next, and a run may fail below them",
       blocks.factor, bound.factor);
 }
 

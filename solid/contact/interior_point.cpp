@@ -38,7 +38,7 @@ void InteriorPoint::begin(const Trial& trial, const std::vector<Matrix6>& matrix
     Point& p = points_[at(k)];
     const double motion = change / progress_.contact(k).stiffness;
     const double product = change * motion;
-    const auto balanced = [product](double force) { return Pair{force, product / force}; };
+    const auto balanced = [product](double force) { return Pair{.force = force, .motion = product / force}; };
     const double gap = progress_.follow(trial, k, c, edge_frame(trial, c)).separation.x();
     p.normal = balanced(gap > motion ? product / gap : std::max(change, c.force.x() + tension(c)));
     const double most = shear_bound(c, p);
@@ -86,6 +86,11 @@ Interaction InteriorPoint::support(const Trial& trial, int index, Support& s) {
   return action;
 }
 
+void InteriorPoint::follow(Pair& pair, double change) const {
+  pair.force_change = change;
+  pair.motion_change = pair.lacks(product_) - change / pair.stiffness();
+}
+
 double InteriorPoint::find_changes(const Trial& trial, const IslandContacts& island) {
   double fraction = 1;
   for (const int k : island.contact_ids) {
@@ -93,12 +98,12 @@ double InteriorPoint::find_changes(const Trial& trial, const IslandContacts& isl
     Point& p = points_[at(k)];
     const Eigen::Vector2d moved = progress_.follow(trial, k, c, edge_frame(trial, c)).separation - p.separation;
     const Eigen::Vector2d force = p.force - p.stiffness.cwiseProduct(moved);
-    p.normal.follow(force.x() - p.normal.force, product_);
+    follow(p.normal, force.x() - p.normal.force);
     if (!p.has_friction) continue;
     const double most = lagged_.bounds[k];
     p.shear_change = force.y() - p.shear;
-    p.forward.follow(most + force.y() - p.forward.force, product_);
-    p.backward.follow(most - force.y() - p.backward.force, product_);
+    follow(p.forward, most + force.y() - p.forward.force);
+    follow(p.backward, most - force.y() - p.backward.force);
   }
   for_pairs(island, [&](const Pair& pair) { fraction = std::min(fraction, pair.positive_fraction(most_lost)); });
   return fraction;
@@ -108,7 +113,7 @@ double InteriorPoint::mean_product(const IslandContacts& island, double fraction
   double sum = 0;
   double count = 0;
   for_pairs(island, [&](const Pair& pair) {
-    sum += (pair.force + fraction * pair.force_change) * (pair.motion + fraction * pair.motion_change);
+    sum += pair.product_after(fraction);
     ++count;
   });
   return sum / std::max(1.0, count);

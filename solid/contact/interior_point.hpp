@@ -5,9 +5,9 @@
 // their state, some tens of solutions find all states.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 
+#include "solid/contact/complementary_pair.hpp"
 #include "solid/contact/formulation.hpp"
 
 namespace blockweir::solid {
@@ -42,28 +42,7 @@ class InteriorPoint final : public Formulation {
   void hand_over(const IslandContacts& island) const;
 
  private:
-  /// A force and the motion that it resists; one of them tends to zero.
-  struct Pair {
-    double force = 1;
-    double motion = 1;
-    double force_change = 0;
-    double motion_change = 0;
-    double product_change = 0;  ///< nonlinear part of the product that a correction aims at
-
-    [[nodiscard]] double stiffness() const { return force / motion; }
-    /// What the motion lacks of the product.
-    [[nodiscard]] double lacks(double product) const { return (product - product_change) / force - motion; }
-    /// The fraction of its changes, at most all, that uses `within` of the distance to zero.
-    [[nodiscard]] double positive_fraction(double within) const {
-      const double of_force = force_change < 0 ? -within * force / force_change : 1;
-      const double of_motion = motion_change < 0 ? -within * motion / motion_change : 1;
-      return std::min({1.0, of_force, of_motion});
-    }
-    void follow(double change, double product) {
-      force_change = change;
-      motion_change = lacks(product) - change / stiffness();
-    }
-  };
+  using Pair = ComplementaryPair;
   struct Point {
     Pair normal;    ///< pressure above the tension that can be borne, gap
     Pair forward;   ///< bound + shear, slip along the edge
@@ -84,6 +63,8 @@ class InteriorPoint final : public Formulation {
   /// By the pressure of now.
   [[nodiscard]] double shear_bound(const ContactPoint& c, const Point& p) const;
 
+  /// Its changes, with a change of its force.
+  void follow(Pair& pair, double change) const;
   /// By a whole correction; returns the fraction of it that leaves all positive.
   double find_changes(const Trial& trial, const IslandContacts& island);
   /// After that fraction of the changes.

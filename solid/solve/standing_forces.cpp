@@ -66,7 +66,7 @@ bool StandingForces::found(const Eigen::VectorXd& loads, double enough_m) {
     const double aim = std::max(share * share * share, fraction > 0.5 ? 0 : centre) * now;
     const double reached = positive_fraction(1);
     for (Pairs& both : pairs_) {
-      for (Pair& p : both) p.product_change = reached * reached * p.force_change * p.motion_change;
+      for (ComplementaryPair& p : both) p.product_change = reached * reached * p.force_change * p.motion_change;
     }
     if (!correct(aim)) return false;
     fraction = positive_fraction(most_lost);
@@ -88,7 +88,7 @@ void StandingForces::begin(const Eigen::VectorXd& loads) {
     const auto own = matrix_[k].topLeftCorner(n, n);
     displacement_.segment(unknowns_.first[k], n) = own.llt().solve(loads.segment(unknowns_.first[k], n));
   }
-  Pair far;
+  ComplementaryPair far;
   far.force = loads.cwiseAbs().maxCoeff();
   far.motion = displacement_.cwiseAbs().maxCoeff();
   pairs_.assign(sweeps_.rows().size(), {far, far});
@@ -150,8 +150,8 @@ bool StandingForces::factorize() {
   for (std::size_t row = 0; row < pairs_.size(); ++row) {
     const ForceRow& r = sweeps_.rows()[row];
     const auto& [minus, plus] = pairs_[row];
-    const double a = minus.force / minus.motion;
-    const double b = plus.force / plus.motion;
+    const double a = minus.stiffness();
+    const double b = plus.stiffness();
     const double f = r.rule.friction;
     Eigen::Matrix2d stiffness;
     stiffness << a + b, f * (b - a), f * (b - a), f * f * (a + b);
@@ -172,13 +172,12 @@ bool StandingForces::factorize() {
 /// Changes of all, by Newton's method on the balance and on products that are to be this, less their nonlinear part.
 bool StandingForces::correct(double product) {
   Eigen::VectorXd right = unbalanced_;
-  const auto lacks = [product](const Pair& p) { return product - p.product_change - p.force * p.motion; };
   for (std::size_t row = 0; row < pairs_.size(); ++row) {
     const std::array<double, 2> now = motions(row, displacement_);
     std::array<double, 2> more{};
     for (const std::size_t k : {0U, 1U}) {
-      const Pair& p = pairs_[row][k];
-      more[k] = (lacks(p) - p.force * (now[k] - p.motion)) / p.motion;
+      const ComplementaryPair& p = pairs_[row][k];
+      more[k] = p.stiffness() * (p.lacks(product) - (now[k] - p.motion));
     }
     const double friction = sweeps_.rows()[row].rule.friction;
     add_forces(row, {more[0] + more[1], friction * (more[1] - more[0])}, right);
@@ -189,9 +188,9 @@ bool StandingForces::correct(double product) {
   for (std::size_t row = 0; row < pairs_.size(); ++row) {
     const std::array<double, 2> then = motions(row, there);
     for (const std::size_t k : {0U, 1U}) {
-      Pair& p = pairs_[row][k];
+      ComplementaryPair& p = pairs_[row][k];
       p.motion_change = then[k] - p.motion;
-      p.force_change = (lacks(p) - p.force * p.motion_change) / p.motion;
+      p.force_change = p.stiffness() * (p.lacks(product) - p.motion_change);
     }
   }
   return true;
@@ -201,9 +200,8 @@ bool StandingForces::correct(double product) {
 double StandingForces::positive_fraction(double within) const {
   double fraction = 1;
   for (const Pairs& both : pairs_) {
-    for (const Pair& p : both) {
-      if (p.force_change < 0) fraction = std::min(fraction, -within * p.force / p.force_change);
-      if (p.motion_change < 0) fraction = std::min(fraction, -within * p.motion / p.motion_change);
+    for (const ComplementaryPair& p : both) {
+      fraction = std::min(fraction, p.positive_fraction(within));
     }
   }
   return fraction;
@@ -212,8 +210,8 @@ double StandingForces::positive_fraction(double within) const {
 double StandingForces::mean_product(double fraction) const {
   double sum = 0;
   for (const Pairs& both : pairs_) {
-    for (const Pair& p : both) {
-      sum += (p.force + fraction * p.force_change) * (p.motion + fraction * p.motion_change);
+    for (const ComplementaryPair& p : both) {
+      sum += p.product_after(fraction);
     }
   }
   return sum / static_cast<double>(2 * pairs_.size());
@@ -222,7 +220,7 @@ double StandingForces::mean_product(double fraction) const {
 void StandingForces::follow(double fraction) {
   displacement_ += fraction * change_;
   for (Pairs& both : pairs_) {
-    for (Pair& p : both) {
+    for (ComplementaryPair& p : both) {
       p.force += fraction * p.force_change;
       p.motion += fraction * p.motion_change;
       p.product_change = 0;

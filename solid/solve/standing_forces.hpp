@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "solid/contact/complementary_pair.hpp"
 #include "solid/solve/force_sweeps.hpp"
 #include "solid/solve/linear_system.hpp"
 
@@ -30,15 +31,8 @@ class StandingForces {
   static bool is_dry(const ForceRule& rule);
 
  private:
-  /// A force along an edge of the cone of friction, and the motion that it resists; one of them goes to zero.
-  struct Pair {
-    double force = 0;
-    double motion = 0;
-    double force_change = 0;
-    double motion_change = 0;
-    double product_change = 0;  ///< nonlinear part of the product that a correction aims at
-  };
-  using Pairs = std::array<Pair, 2>;  ///< of shear at its negative and at its positive bound
+  /// Forces along both edges of the cone of friction: shear at its negative and at its positive bound.
+  using Pairs = std::array<ComplementaryPair, 2>;
 
   void begin(const Eigen::VectorXd& loads);
   bool factorize();
