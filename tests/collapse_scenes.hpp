@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "bridge/scene/read/read.hpp"
@@ -55,6 +56,19 @@ inline std::string heap(int stones, unsigned seed) {
   return fmt::format(
       "[[heap]]\nname = \"s\"\nmaterial = \"stone\"\nwidth_m = {}\nsize_m = 0.9\nblocks = {}\nseed = {}\n",
       std::sqrt(stones), stones, seed);
+}
+
+/// Two seconds of a wall under tilted gravity or, of every third seed, of a heap: 60 to 290 blocks.
+inline scene::Scene random_fall(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  const double friction_deg = 15 + 30 * share(random);
+  const int blocks = 60 + static_cast<int>(230 * share(random));
+  const int columns = 2 + static_cast<int>(8 * share(random));
+  const double brick_m = 0.6 + share(random);
+  const double tilt_deg = 10 + 20 * share(random);
+  if (seed % 3 == 0) return collapse(heap(blocks, seed), 2, 0, friction_deg);
+  return collapse(wall(blocks / columns, columns, brick_m), 2, tilt_deg, friction_deg);
 }
 
 }  // namespace blockweir::test

@@ -115,23 +115,26 @@ Meeting Meetings::of_corners(const Corner& vertex, const Corner& end) {
 }
 
 /// A corner behind the line of a face overlaps only where it is in the face's block, or through the face and out again
-/// beside its end: then outlines cross. What has come in by another face leaves by the nearest. None is pushed by much
-/// more than the outlines are in each other.
+/// beside its end: then outlines cross. What has come in by another face leaves by the nearest, but not by one that its
+/// block is behind while it is in front of this. None is pushed by much more than the outlines are in each other.
 Meeting Meetings::checked(Meeting meeting, bool on_face) {
   constexpr double as_deep = 2;
   constexpr double crossed = 4;  // what tips have in common is narrower than they have come past each other
   if (meeting.gap >= -beside_ratio * model_.size_m) return meeting;
   const std::vector<Point>& face_block = outline_now(meeting.face_block, outlines_[0]);
-  if (!encloses(face_block, meeting.corner)) {
-    const double deep_m = overlap_m(face_block, outline_now(meeting.corner_block, outlines_[1]), 0);
-    meeting.gap = deep_m == 0 ? apart : std::max(meeting.gap, -crossed * deep_m);
+  const bool enclosed = encloses(face_block, meeting.corner);
+  if (enclosed && on_face) return meeting;
+  const std::vector<Point>& corner_block = outline_now(meeting.corner_block, outlines_[1]);
+  const Point out = nearest_on(face_block, meeting.corner) - meeting.corner;
+  if (enclosed && -meeting.gap <= as_deep * out.norm()) return meeting;
+  const auto in_front = [&](const Point& n) { return faces(corner_block, meeting.vertex, n, parallel_tolerance); };
+  if (enclosed && (in_front(out.normalized()) || !in_front(meeting.normal))) {
+    meeting.normal = out.normalized();
+    meeting.gap = -out.norm();
     return meeting;
   }
-  if (on_face) return meeting;
-  const Point out = nearest_on(face_block, meeting.corner) - meeting.corner;
-  if (-meeting.gap <= as_deep * out.norm()) return meeting;
-  meeting.normal = out.normalized();
-  meeting.gap = -out.norm();
+  const double deep_m = overlap_m(face_block, corner_block, 0);
+  meeting.gap = deep_m == 0 ? apart : std::max(meeting.gap, -crossed * deep_m);
   return meeting;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
@@ -21,7 +20,7 @@ namespace {
 constexpr int rounds = 2;  // blocks turn: forces act along other directions where that has taken them
 constexpr std::array<double, 3> share_of_round = {0.3, 0.7, 0.1};  // of the sweeps; corners show in the first already
 constexpr double most_visits = 3e4;                                // to contacts, in two rounds, while blocks fall
-constexpr double most_slow_visits = 3e6;                           // else: what sweeps leave would add up to a creep
+constexpr double most_slow_visits = 3e6;                           // slowest: what sweeps leave would add up to a creep
 constexpr double least_sweeps = 100;                               // where an island is large
 constexpr double most_sweeps = 1000;
 constexpr double enough_share = 1e-4;  // of a fall through the step: no gap or slip has to be nearer to its law
@@ -32,6 +31,7 @@ constexpr double most_at_first = 400;  // of the first step that is swept: what 
 Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   if (s.is_free() && fly(s)) return Found::by_newton_after_sweeps;
   ++counts_.swept_islands;
+  moves_m_ = state_.fastest_m_per_s() * trial_.dt;
   const IslandContacts contacts = s.island_contacts();
   formulation_->undo(contacts);
   start_again(s);
@@ -80,10 +80,12 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   return Found::by_sweeps;
 }
 
-/// Sweeps of a step: more of them where the structure hardly moves, and in the first step that is swept.
+/// Sweeps of a step: the more, the less the structure moves in it, and in the first step that is swept.
 double SweptEquilibrium::most_of(const IslandEquations& s) const {
   const bool first = !state_.whole_law.after_failure() && trial_.first_force.empty();
-  const double visits = trial_.falls() ? most_visits : most_slow_visits;
+  const double visits = moves_m_ > 0
+                            ? std::clamp(most_visits * trial_.fall_m() / moves_m_, most_visits, most_slow_visits)
+                            : most_slow_visits;
   const double most = std::clamp(visits / static_cast<double>(s.sweeps.rows().size()), least_sweeps, most_sweeps);
   return first ? std::max(most, most_at_first) : most;
 }
@@ -184,6 +186,8 @@ void SweptEquilibrium::stand(IslandEquations& s) {
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
   const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
+  const bool rigid = s.unknowns->total == 3 * s.unknowns->blocks();
+  if (!found && rigid) moves_m_ = trial_.fall_m();  // or will soon: no creep to be kept small
   if (!found) return;
   auto& rows = s.sweeps.rows();
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].force = forces.force(row);

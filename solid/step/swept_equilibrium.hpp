@@ -26,6 +26,8 @@ class SweptEquilibrium : StepPart {
   [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
   void stand(IslandEquations& island);
   void take_forces(IslandEquations& island);
+
+  double moves_m_ = 0;  ///< in the step, at the velocity of its start: the slower, the more sweeps it is worth
 };
 
 }  // namespace blockweir::solid

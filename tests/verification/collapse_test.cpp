@@ -103,6 +103,11 @@ TEST(Collapse, OfHundredsOfBlocksMakesNoOverlapEither) {
   }
 }
 
+/// A corner in a face next to its end, out of which it was to go by the face beside: 6.2e-6 and 2.5e-5 m before.
+TEST(Collapse, ACornerLeavesAFaceByTheSideThatItsBlockIsOn) {
+  for (const unsigned seed : {48U, 66U}) EXPECT_LE(watched(test::random_fall(seed)).overlap_m, 1e-6) << "seed " << seed;
+}
+
 /// No contact parts them: on the ground each seems to pass the other.
 TEST(Collapse, TipsThatSlideOnTheSameGroundDoNotGoIntoEachOther) {
   EXPECT_LE(watched(test::collapse(test::heap(60, 1), 1.6, 0, 20)).overlap_m, 1e-7) << "2.2e-6 m before";
