@@ -95,19 +95,19 @@ Meetings::Corner Meetings::corner_now(int block, std::size_t vertex) const {
 }
 
 /// Two corners side by side: of their four faces the one that parts them most. It has the other corner's block on its
-/// outer side: through a sharp corner the other may have come out again.
+/// outer side, if need be but for round-off: through a sharp corner the other may have come out again.
 Meeting Meetings::of_corners(const Corner& vertex, const Corner& end) {
   Meeting meeting;
   meeting.gap = -apart;
-  bool parted = false;
+  int best = -1;
   for (const auto& [of, other] : {std::pair(&vertex, &end), std::pair(&end, &vertex)}) {
     for (const std::size_t side : {0, 1}) {
       const Point t = (of->points[side + 1] - of->points[side]).normalized();
       const Point n(t.y(), -t.x());
       const double gap = n.dot(other->points[1] - of->points[1]);
-      const bool parts = faces(other->points, 1, n, parallel_tolerance);
-      if (parts == parted ? gap <= meeting.gap || (!parts && of == &end) : parted) continue;
-      parted = parts;
+      const int parts = faces(other->points, 1, n, 0) ? 2 : faces(other->points, 1, n, parallel_tolerance) ? 1 : 0;
+      if (parts < best || (parts == best && (gap <= meeting.gap || (parts == 0 && of == &end)))) continue;
+      best = parts;
       meeting = {other->block, other->vertex, of->block, of->sides[side], other->points[1], n, gap};
     }
   }
