@@ -48,7 +48,6 @@ StandingForces::StandingForces(const ForceSweeps& sweeps, const Unknowns& unknow
 bool StandingForces::found(const Eigen::VectorXd& loads, double enough_m) {
   constexpr double balanced = 1e-8;  // of the largest load
   constexpr double centre = 0.3;     // aimed at after a correction that was cut short
-  constexpr double slips = 1e3;      // products are as much less than what slip loses: it is no error of theirs
   constexpr double surely = 1e4;     // where forces are next to the edge of their cones products are as much less
   constexpr double exactly = 1e-3;   // of what is enough, where it costs only a solution or two
   begin(loads);
@@ -61,7 +60,7 @@ bool StandingForces::found(const Eigen::VectorXd& loads, double enough_m) {
     const double now = mean_product(0);
     // What is lost in slip is known to the sum of all products. Round-off spoils the balance of what slips.
     const double known = lost_in_slip() / (now * static_cast<double>(2 * pairs_.size()));
-    if (known > slips && !stands(load, enough_m)) return false;
+    if (known > surely && !stands(load, enough_m)) return false;
     if (known > surely && balances) return true;
     if (!factorize() || !correct(0)) return false;
     const double share = std::max(0.0, mean_product(positive_fraction(1))) / now;
