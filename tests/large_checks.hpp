@@ -9,7 +9,7 @@
 
 namespace blockweir::solid {
 
-inline void run(Solid& solid, int steps) {
+inline void run_steps(Solid& solid, int steps) {
   const double dt = solid.scene().analysis.step_s;
   for (int n = 0; n < steps; ++n) solid.advance(n * dt, (n + 1) * dt, {});
 }

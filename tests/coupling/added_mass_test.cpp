@@ -6,9 +6,8 @@
 #include "bridge/schedule/run.hpp"
 #include "tests/processes.hpp"
 
+namespace blockweir::added_mass_test {
 namespace {
-
-using namespace blockweir;
 
 constexpr double mass = 2500 * 2;
 constexpr double window_s = 0.01;
@@ -102,3 +101,4 @@ TEST_F(AddedMass, WithoutTheGuardBothSidesAreToldWhyTheRunIsRefused) {
 }
 
 }  // namespace
+}  // namespace blockweir::added_mass_test

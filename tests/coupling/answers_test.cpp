@@ -5,7 +5,7 @@
 
 #include "tests/coupling/answers.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::answers_test {
 namespace {
 
 using testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST_F(Answers, WhatIsWrongIsToldBeforeAnythingIsWritten) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::answers_test

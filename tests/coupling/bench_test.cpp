@@ -4,7 +4,7 @@
 #include "tests/block_on_plane.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::bench_test {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST_F(Bench, HoldsTheMotionAgainstARunWithFinerSteps) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::bench_test

@@ -5,7 +5,7 @@
 #include "tests/cases.hpp"
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::cases_test {
 namespace {
 
 class Cases : public Processes, public testing::WithParamInterface<std::string> {};
@@ -35,4 +35,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Cases, testing::ValuesIn(all_cases(false)), name_of
 INSTANTIATE_TEST_SUITE_P(Of, OpenFoamCases, testing::ValuesIn(all_cases(true)), name_of);
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::cases_test

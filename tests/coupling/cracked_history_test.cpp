@@ -7,7 +7,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::cracked_history_test {
 namespace {
 
 using Row = std::map<std::string, double>;
@@ -67,4 +67,4 @@ TEST_F(CrackedHistory, EachRowHasTheNormalForceAndTheUpliftOfTheCrackAtItsLevel)
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::cracked_history_test

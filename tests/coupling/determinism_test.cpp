@@ -2,6 +2,7 @@
 // The same scene gives the same bits: in every run, and whatever number of threads the libraries below may use.
 #include "tests/processes.hpp"
 
+namespace blockweir::determinism_test {
 namespace {
 
 using blockweir::test::cases;
@@ -33,3 +34,4 @@ TEST_F(Determinism, AScenesBitsAreTheSameInEveryRunAndForAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace blockweir::determinism_test

@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::document_scenes_test {
 namespace {
 
 std::string page(const std::string& name) {
@@ -70,4 +70,4 @@ INSTANTIATE_TEST_SUITE_P(Pages, DocumentScenes, testing::Values("README.md", "ca
                          [](const auto& tested) { return tested.param == "README.md" ? "Readme" : "Guide"; });
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::document_scenes_test

@@ -9,7 +9,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::external_fluid_test {
 namespace {
 
 using testing::AnyOf;
@@ -234,4 +234,4 @@ fluid = { model = "external" }
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::external_fluid_test

@@ -3,7 +3,7 @@
 // A heap that falls beside a wall, and a wall whose crest sinks below the water: what a run says of them.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::fallen_from_the_start_test {
 namespace {
 
 using testing::AllOf;
@@ -98,4 +98,4 @@ TEST_F(FallenFromTheStart, AnErrorInALoadCaseOrStudyIsFoundBeforeTheRun) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::fallen_from_the_start_test

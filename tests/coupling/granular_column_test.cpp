@@ -11,7 +11,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::granular_column_test {
 namespace {
 
 constexpr double width_m = 2.8;  // of the column, as its gates hold it
@@ -108,4 +108,4 @@ TEST_F(GranularColumn, RunsOutWithItsHeightAndATallOneLessSo) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::granular_column_test

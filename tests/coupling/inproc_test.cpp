@@ -4,7 +4,7 @@
 // wrong.
 #include "tests/same_results.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::inproc_test {
 namespace {
 
 using testing::HasSubstr;
@@ -82,4 +82,4 @@ TEST_F(Inproc, WhatGoesWrongInTheWaterIsSaidOnce) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::inproc_test

@@ -3,7 +3,7 @@
 // An exchange that makes energy ends the run, or is its result; one that does not is left alone.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::interface_energy_test {
 namespace {
 
 using testing::HasSubstr;
@@ -120,4 +120,4 @@ vertices_m = [[0, 0], [29, 0], [5, 32], [5, 38], [0, 38]]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::interface_energy_test

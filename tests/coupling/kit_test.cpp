@@ -8,7 +8,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::kit_test {
 namespace {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ with Fluid("counter", save=save, restore=restore) as fluid:
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::kit_test

@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::leaving_test {
 namespace {
 
 using testing::HasSubstr;
@@ -84,4 +84,4 @@ force_n_per_m = [20e3, 0]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::leaving_test

@@ -7,7 +7,7 @@
 
 #include "tests/coupling/answers.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::level_answers_test {
 namespace {
 
 using testing::ContainsRegex;
@@ -254,4 +254,4 @@ vertices_m = [[-40, -10], [60, -10], [60, -4], [10, -4], [10, 0], [-40, 0]]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::level_answers_test

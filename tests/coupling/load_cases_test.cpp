@@ -5,7 +5,7 @@
 
 #include "tests/coupling/answers.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::load_cases_test {
 namespace {
 
 using testing::HasSubstr;
@@ -156,4 +156,4 @@ TEST_F(LoadCases, SiltAndTheEarthquakeHaveSumsOfTheirOwnAndShakingIsSaidToBeLeft
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::load_cases_test

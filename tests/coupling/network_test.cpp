@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::network_test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST_F(Network, PlainTcpNeedsASwitch) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::network_test

@@ -10,7 +10,7 @@
 #include "tests/coupling/masonry_wall.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::open_studies_test {
 namespace {
 
 using testing::HasSubstr;
@@ -239,4 +239,4 @@ TEST_F(OpenStudies, AFolderThatCannotBeWrittenIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::open_studies_test

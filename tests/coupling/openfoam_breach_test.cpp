@@ -3,7 +3,7 @@
 // Open water that finds a way past the structure: a gate that is lifted off its sill, on one process and on two.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_breach_test {
 namespace {
 
 class Gate : public OpenFoam {
@@ -69,4 +69,4 @@ TEST_F(Gate, ThatIsOpenFromTheStartBreachesNothing) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_breach_test

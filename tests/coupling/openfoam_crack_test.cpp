@@ -8,7 +8,7 @@
 
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_crack_test {
 namespace {
 
 class Slot : public OpenFoam {
@@ -118,4 +118,4 @@ TEST_F(Slot, ItsFlowHandsOverToTheWaterWithoutAJump) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_crack_test

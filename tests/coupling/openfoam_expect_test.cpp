@@ -3,7 +3,7 @@
 // Figures of the water that interFoam's plugin has recorded.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_expect_test {
 namespace {
 
 class ExpectWater : public OpenFoam {
@@ -22,4 +22,4 @@ TEST_F(ExpectWater, FindsBlocksWhateverTheyAreCalled) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_expect_test

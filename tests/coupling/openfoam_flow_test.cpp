@@ -4,7 +4,7 @@
 #include "bridge/results/csv.hpp"
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_flow_test {
 namespace {
 
 class FlowOpenFoam : public OpenFoam {
@@ -53,4 +53,4 @@ TEST_F(FlowOpenFoam, TwoRanksHaveTheUpliftOfOne) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_flow_test

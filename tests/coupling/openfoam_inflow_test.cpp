@@ -3,7 +3,7 @@
 // Water that comes in at the mesh's ends: on two ranks, at both ends, and down as well as up.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_inflow_test {
 namespace {
 
 class Inflow : public OpenFoam {
@@ -59,4 +59,4 @@ TEST_F(Inflow, SaysWhatWavesItCannotMake) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_inflow_test

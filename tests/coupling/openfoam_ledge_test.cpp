@@ -4,7 +4,7 @@
 // a slot, or under a thin film by its exact shape, and a wall that the mesh would let it through is refused.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_ledge_test {
 namespace {
 
 class Ledge : public OpenFoam {
@@ -86,4 +86,4 @@ TEST_F(Ledge, AWallThatTheMeshLetsWaterThroughIsRefusedWithTheMeshThatItTakes) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_ledge_test

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
-// processors: 2
 // interFoam's ranks on two nodes of a Slurm allocation, the solid beside them. The nodes are two slurmd of this
 // machine: see tests/slurm.sh.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_nodes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -61,4 +60,4 @@ TEST_F(OpenFoamOnNodes, OfAnAllocationElsewhereAreRefusedWithWhatToDo) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_nodes_test

@@ -4,7 +4,7 @@
 // the same steps and iterations, and one schedule against the other. Everything is measured in one run.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_overhead_test {
 namespace {
 
 struct Cost {
@@ -101,4 +101,4 @@ TEST_F(Overhead, OfTheSchedules) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_overhead_test

@@ -3,7 +3,7 @@
 // A user's own OpenFOAM case as the fluid: taken as it is, left as it was, and refused where it does not fit the scene.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_own_case_test {
 namespace {
 
 using testing::HasSubstr;
@@ -171,4 +171,4 @@ TEST_F(OwnCase, RefusesToBeCopiedIntoItself) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_own_case_test

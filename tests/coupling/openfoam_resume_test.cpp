@@ -6,7 +6,7 @@
 #include "tests/cases.hpp"
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_resume_test {
 namespace {
 
 class ResumeOpenFoam : public OpenFoam {
@@ -118,4 +118,4 @@ TEST_F(ResumeOpenFoam, TwoKilledRanksGoOnFromTheLastCheckpoint) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_resume_test

@@ -3,7 +3,7 @@
 // What interFoam and its plugin leave out while hardly anything moves, and that the forces stay what they are.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_skips_test {
 namespace {
 
 using testing::HasSubstr;
@@ -94,4 +94,4 @@ TEST_F(AtRest, WavesAreSolvedForAtTheirTurnToo) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_skips_test

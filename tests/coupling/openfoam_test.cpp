@@ -3,7 +3,7 @@
 // interFoam as the fluid against hydrostatics: walls, slopes, blocks in the water; on two processes.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_test {
 namespace {
 
 constexpr double weight = 9810;  // N/m3
@@ -152,4 +152,4 @@ TEST_F(TwoProcesses, PutTheirResultsTogetherOnRequest) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_test

@@ -3,7 +3,7 @@
 // blockweir plot: what is asked for beyond the usual figures.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::plot_test {
 namespace {
 
 using testing::HasSubstr;
@@ -88,4 +88,4 @@ horizontal_coefficient = 0.05
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::plot_test

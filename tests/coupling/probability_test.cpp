@@ -7,7 +7,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::probability_test {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ TEST_F(Draws, OfOneSeedAreTheSameAndMoreOnlyAddToThem) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::probability_test

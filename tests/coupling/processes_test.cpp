@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::processes_test {
 namespace {
 
 TEST_F(Processes, TheThreeContactFormulationsAreCompared) {
@@ -219,4 +219,4 @@ TEST_F(Processes, AStaticAnalysisFindsRestBelowTheLevelOfFailureOnly) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::processes_test

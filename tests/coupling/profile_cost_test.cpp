@@ -10,7 +10,7 @@
 #include "bridge/results/stopwatch.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::profile_cost_test {
 namespace {
 
 double seconds_of_processor() {
@@ -70,4 +70,4 @@ TEST_F(ProfileCost, IsUnderAFiftiethOfARun) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::profile_cost_test

@@ -3,7 +3,7 @@
 // Where the time of a run went: both sides, every fluid, as numbers, as a tree and as a picture.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::profile_test {
 namespace {
 
 using testing::HasSubstr;
@@ -55,4 +55,4 @@ TEST_F(Profile, AsksForTheFolderOfARun) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::profile_test

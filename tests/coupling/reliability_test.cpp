@@ -7,7 +7,7 @@
 #include "tests/independent/upper_crack.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::reliability_test {
 namespace {
 
 using independent::UncertainCrack;
@@ -192,4 +192,4 @@ TEST_F(Reliability, WhatCannotBeAnsweredIsTold) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::reliability_test

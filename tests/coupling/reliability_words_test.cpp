@@ -6,7 +6,7 @@
 #include "tests/independent/upper_crack.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::reliability_words_test {
 namespace {
 
 using independent::UncertainCrack;
@@ -108,4 +108,4 @@ TEST_F(ReliabilityWords, AnOverrideOfWhatIsDrawnIsRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::reliability_words_test

@@ -7,7 +7,7 @@
 #include "bridge/study/load_case_scene.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::report_labels_test {
 namespace {
 
 using nlohmann::json;
@@ -87,4 +87,4 @@ TEST_F(ReportLabels, NoTwoTouchInTheSectionOfAnyCaseOrLoadCase) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::report_labels_test

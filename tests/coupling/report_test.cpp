@@ -6,7 +6,7 @@
 #include "tests/coupling/masonry_wall.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -275,4 +275,4 @@ TEST_F(Report, WritesNothingWhereItCannot) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::report_test

@@ -6,7 +6,7 @@
 #include "tests/cases.hpp"
 #include "tests/same_results.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::resume_test {
 namespace {
 
 using testing::HasSubstr;
@@ -220,4 +220,4 @@ TEST_F(Resume, RefusesWhatHasChangedSince) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::resume_test

@@ -5,7 +5,7 @@
 
 #include "tests/coupling/answers.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::safety_answers_test {
 namespace {
 
 using testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST_F(Answers, IceAndTheEarthquakesWaterHaveSumsOfTheirOwnAndTheLoadsThatGrowAr
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::safety_answers_test

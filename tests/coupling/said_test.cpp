@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::said_test {
 namespace {
 
 using testing::AllOf;
@@ -251,4 +251,4 @@ TEST_F(Said, WaterThatStandsAboveTheCrestIsLeftOutWithAWord) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::said_test

@@ -8,7 +8,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::scale_test {
 namespace {
 
 class Scale : public Processes {
@@ -83,4 +83,4 @@ TEST_F(Scale, AModelOfConcreteFailsAsItsDam) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::scale_test

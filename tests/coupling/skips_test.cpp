@@ -6,7 +6,7 @@
 
 #include "tests/same_results.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::skips_test {
 namespace {
 
 using testing::HasSubstr;
@@ -146,4 +146,4 @@ TEST_F(Skips, EachHasItsLineInTheProfile) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::skips_test

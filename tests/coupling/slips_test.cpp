@@ -6,7 +6,7 @@
 #include "tests/coupling/answers.hpp"
 #include "tests/coupling/masonry_wall.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::slips_test {
 namespace {
 
 using testing::AllOf;
@@ -61,4 +61,4 @@ TEST_F(Slips, WhatNoStrengthHoldsIsGivenWithWhatActsOnIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::slips_test

@@ -6,7 +6,7 @@
 #include "tests/independent/upper_crack.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::slurm_test {
 namespace {
 
 using nlohmann::json;
@@ -158,4 +158,4 @@ TEST_F(NoSlurm, IsToldWithWhatToDo) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::slurm_test

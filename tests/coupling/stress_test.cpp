@@ -4,7 +4,7 @@
 #include "tests/block_on_plane.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::stress_test {
 namespace {
 
 using testing::HasSubstr;
@@ -124,4 +124,4 @@ TEST_F(Stress, WhatIsNoMapIsNamed) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::stress_test

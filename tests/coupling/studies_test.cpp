@@ -3,7 +3,7 @@
 // Studies with the real programs: a limit, an order and a map, right ones and wrong ones.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::studies_test {
 namespace {
 
 using testing::HasSubstr;
@@ -178,4 +178,4 @@ TEST_F(Studies, OneThatIsNotThereIsNamed) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::studies_test

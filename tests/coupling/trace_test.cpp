@@ -9,7 +9,7 @@
 #include "bridge/picture/trace.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::trace_test {
 namespace {
 
 using nlohmann::json;
@@ -143,4 +143,4 @@ TEST_F(Trace, WhoseFilesAreDamagedIsRefusedWithTheLine) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::trace_test

@@ -3,7 +3,7 @@
 // Which blocks a run says to fail together, on which joint, and by which law where blocks meet on their way.
 #include "tests/coupling/verdicts.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::verdict_joints_test {
 namespace {
 
 using testing::HasSubstr;
@@ -149,4 +149,4 @@ outline_m = [[-20, -15], [50, -15], [50, -12], [-20, -12]]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::verdict_joints_test

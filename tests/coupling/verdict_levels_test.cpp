@@ -4,7 +4,7 @@
 // equilibrium, worked out beside each scene.
 #include "tests/coupling/verdicts.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::verdict_levels_test {
 namespace {
 
 using testing::HasSubstr;
@@ -176,4 +176,4 @@ TEST_F(Verdicts, ALevelThatHasNotActedIsSaid) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::verdict_levels_test

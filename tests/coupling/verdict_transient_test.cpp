@@ -4,7 +4,7 @@
 // wall that falls into many blocks all are counted.
 #include "tests/coupling/verdicts.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::verdict_transient_test {
 namespace {
 
 using nlohmann::json;
@@ -117,4 +117,4 @@ vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::verdict_transient_test

@@ -3,7 +3,7 @@
 // What a run says of a structure: that it stands, fails, or moves when the run ends.
 #include "tests/coupling/verdicts.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::verdicts_test {
 namespace {
 
 using testing::HasSubstr;
@@ -134,4 +134,4 @@ TEST_F(Verdicts, AResultantBeyondTheBaseIsSaidToBeHeldByWhatHoldsIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::verdicts_test

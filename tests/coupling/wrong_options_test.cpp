@@ -3,7 +3,7 @@
 // Words of a command line that no command takes: the answer names what was meant, or what there is.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::wrong_options_test {
 namespace {
 
 using testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST_F(Processes, AFileThatIsNoneOfItsKindIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::wrong_options_test

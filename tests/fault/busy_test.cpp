@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::busy_test {
 namespace {
 
 using testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST_F(Busy, AKilledLauncherLeavesNoProcessInALongWindow) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::busy_test

@@ -5,7 +5,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::compare_test {
 namespace {
 
 class Compare : public Processes {
@@ -192,4 +192,4 @@ TEST_F(Compare, SaysThatTheRunWithConditionNumbersFailed) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::compare_test

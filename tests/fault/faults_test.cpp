@@ -8,7 +8,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::faults_test {
 namespace {
 
 using testing::AllOf;
@@ -288,4 +288,4 @@ TEST_F(Faults, ALoadBeyondAllNumbersEndsTheRunAndLeavesASceneThatRepeatsIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::faults_test

@@ -6,7 +6,7 @@
 #include "bridge/results/folder_lock.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::folder_in_use_test {
 namespace {
 
 using testing::HasSubstr;
@@ -126,4 +126,4 @@ TEST_F(FolderInUse, ARunThatIsCompleteHasNothingToResume) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::folder_in_use_test

@@ -5,7 +5,7 @@
 #include "tests/coupling/masonry_wall.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::full_output_test {
 namespace {
 
 using testing::HasSubstr;
@@ -96,4 +96,4 @@ TEST_F(FullOutput, ADeviceIsWrittenAndStaysWhatItIs) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::full_output_test

@@ -11,7 +11,7 @@
 #include "bridge/wire/codec.hpp"
 #include "tests/fault/relay.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::large_messages_test {
 namespace {
 
 using From = Relay::From;
@@ -143,4 +143,4 @@ TEST(LargeMessages, AMessageWithMorePartsThanItSaysIsRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::large_messages_test

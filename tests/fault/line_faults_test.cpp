@@ -10,7 +10,7 @@
 #include "tests/fault/frame_faults.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::line_faults_test {
 namespace {
 
 using testing::HasSubstr;
@@ -248,4 +248,4 @@ TEST_F(LineFaults, TheLauncherEndsAPartnerThatIsStopped) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::line_faults_test

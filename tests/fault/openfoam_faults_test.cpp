@@ -4,7 +4,7 @@
 // and water that run away. One clear line, a non-zero status on both sides, no process left.
 #include "tests/openfoam.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::openfoam_faults_test {
 namespace {
 
 using testing::HasSubstr;
@@ -255,4 +255,4 @@ TEST_F(OpenFoamFaults, WaterThatOverflowsUnderTheLauncher) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::openfoam_faults_test

@@ -2,7 +2,7 @@
 // A report asks several programs in turn: Ctrl-C ends it whichever it is at.
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::report_stop_test {
 namespace {
 
 using ReportStop = Processes;
@@ -24,4 +24,4 @@ TEST_F(ReportStop, CtrlCEndsAReportAtAnyMoment) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::report_stop_test

@@ -11,7 +11,7 @@
 
 #include "bridge/channel/channel.hpp"
 
-namespace blockweir::channel {
+namespace blockweir::channel::signals_test {
 namespace {
 
 volatile std::sig_atomic_t signals = 0;
@@ -72,4 +72,4 @@ TEST(Signals, DisturbNoExchange) {
 }
 
 }  // namespace
-}  // namespace blockweir::channel
+}  // namespace blockweir::channel::signals_test

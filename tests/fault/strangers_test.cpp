@@ -7,7 +7,7 @@
 
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::strangers_test {
 namespace {
 
 using testing::HasSubstr;
@@ -99,4 +99,4 @@ TEST_F(Strangers, UnfitKeysAreRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::strangers_test

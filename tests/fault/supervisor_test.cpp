@@ -9,7 +9,7 @@
 #include "bridge/process/failure_cause.hpp"
 #include "tests/processes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::supervisor_test {
 namespace {
 
 class Supervisor : public Processes {
@@ -107,4 +107,4 @@ TEST_F(Supervisor, OneThatIsKilledByAnotherIsTheCause) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::supervisor_test

@@ -9,7 +9,7 @@
 
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::drawing_test {
 namespace {
 
 const std::string sound =
@@ -101,4 +101,4 @@ TEST_F(SpoiledDrawing, SpoiledOnesAreReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::drawing_test

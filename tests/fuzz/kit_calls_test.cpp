@@ -15,7 +15,7 @@
 #include "bridge/channel/channel.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::kit_calls_test {
 namespace {
 
 using testing::HasSubstr;
@@ -181,4 +181,4 @@ TEST_F(KitCalls, InAnyOrderWithAnyNumbersEndInOrder) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::kit_calls_test

@@ -14,6 +14,7 @@
 #include "tests/samples.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_replay_test {
 using namespace blockweir::scene;
 
 namespace {
@@ -108,3 +109,4 @@ TEST(SceneReplay, RandomOutlinesAreReadOrRefused) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_replay_test

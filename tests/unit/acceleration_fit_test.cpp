@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace blockweir::solid {
+namespace blockweir::solid::acceleration_fit_test {
 namespace {
 
 double fitted(double ringing_m) {
@@ -39,4 +39,4 @@ TEST(AccelerationFit, TwoTimesSayNothing) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::acceleration_fit_test

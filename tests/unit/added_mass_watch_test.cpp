@@ -12,7 +12,7 @@
 #include "solid/process/coupled_solid.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::added_mass_watch_test {
 namespace {
 
 using testing::HasSubstr;
@@ -202,4 +202,4 @@ TEST_F(Recorded, ARunIsRefusedAtItsFirstLoad) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::added_mass_watch_test

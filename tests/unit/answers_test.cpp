@@ -8,7 +8,7 @@
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/outcome_labels.hpp"
 
-namespace blockweir::solid::expect {
+namespace blockweir::solid::expect::answers_test {
 namespace {
 
 std::vector<std::string> both(std::vector<std::string> names, const std::vector<std::string>& more) {
@@ -26,4 +26,4 @@ TEST(Answers, FormulasOfASceneAreTheSolids) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::expect
+}  // namespace blockweir::solid::expect::answers_test

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 
+namespace blockweir::architecture_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -202,3 +203,4 @@ TEST(Architecture, EverySourceHasItsLicenceAndAReadableLength) {
 }
 
 }  // namespace
+}  // namespace blockweir::architecture_test

@@ -12,7 +12,7 @@
 #include "solid/contact/formulation.hpp"
 #include "solid/contact/search.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::augmented_lagrangian_test {
 namespace {
 
 constexpr double round_off_m = 1e-12;
@@ -111,4 +111,4 @@ TEST_F(AugmentedLagrangian, AStepBeginsWithTheForcesThatTheOneBeforeEndedWith) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::augmented_lagrangian_test

@@ -11,7 +11,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/scenes_of_tables.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::barton_bandis_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -85,4 +85,4 @@ TEST(BartonBandis, RoughnessAndTheStrengthOfItsWallsNeedEachOther) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::barton_bandis_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace blockweir::solid {
+namespace blockweir::solid::base_motion_test {
 namespace {
 
 TEST(BaseAxis, RowsAreIntegratedExactly) {
@@ -54,4 +54,4 @@ TEST(BaseMotion, EitherPushesOrCarries) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::base_motion_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::engine {
+namespace blockweir::engine::batch_size_test {
 namespace {
 
 TEST(BatchSize, IsThatOfTenMinutes) {
@@ -29,4 +29,4 @@ TEST(BatchSize, OfWhatTakesNoTimeIsAll) {
 }
 
 }  // namespace
-}  // namespace blockweir::engine
+}  // namespace blockweir::engine::batch_size_test

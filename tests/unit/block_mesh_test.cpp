@@ -11,7 +11,7 @@
 
 #include "bridge/geometry/mesh.hpp"
 
-namespace blockweir::geometry {
+namespace blockweir::geometry::block_mesh_test {
 namespace {
 
 double twice_area(const Point& a, const Point& b, const Point& c) {
@@ -94,4 +94,4 @@ TEST(BlockMesh, DoesNotDependOnWhatWasAllocatedBefore) {
 }
 
 }  // namespace
-}  // namespace blockweir::geometry
+}  // namespace blockweir::geometry::block_mesh_test

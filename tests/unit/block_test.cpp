@@ -6,7 +6,7 @@
 #include "bridge/geometry/polygon_moments.hpp"
 #include "solid/block/panel.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::block_test {
 namespace {
 
 scene::Block outline(std::vector<Point> vertices) {
@@ -118,4 +118,4 @@ TEST(Block, LeverRuleOnAnEdgeEqualsVirtualWork) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::block_test

@@ -10,7 +10,7 @@
 
 #include "solid/contact/bonds.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::bond_loss_test {
 namespace {
 
 const double strength = 1 + 10 * std::tan(std::acos(-1.0) / 6);  ///< of a contact, N per metre
@@ -80,4 +80,4 @@ TEST(BondLoss, FacesThatAreInOneLineButForRoundingSlipTogether) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::bond_loss_test

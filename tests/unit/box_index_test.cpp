@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <random>
 
-namespace blockweir::geometry {
+namespace blockweir::geometry::box_index_test {
 namespace {
 
 class ABoxIndex : public testing::TestWithParam<unsigned> {
@@ -71,4 +71,4 @@ TEST(AnEmptyBoxIndex, FindsNothing) {
 }
 
 }  // namespace
-}  // namespace blockweir::geometry
+}  // namespace blockweir::geometry::box_index_test

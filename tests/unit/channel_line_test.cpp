@@ -14,7 +14,7 @@
 #include "bridge/channel/endpoint.hpp"
 #include "bridge/channel/socket.hpp"
 
-namespace blockweir::channel {
+namespace blockweir::channel::channel_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ TEST_F(Line, APartnerThatComesFurtherIsWaitedForUntilItHangs) {
 }
 
 }  // namespace
-}  // namespace blockweir::channel
+}  // namespace blockweir::channel::channel_line_test

@@ -9,7 +9,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-namespace blockweir::joints {
+namespace blockweir::joints::channel_test {
 namespace {
 
 constexpr double mu = 1.3e-3;
@@ -68,4 +68,4 @@ TEST(Channel, StandingWaterReachesAsHighAsItsPressure) {
 }
 
 }  // namespace
-}  // namespace blockweir::joints
+}  // namespace blockweir::joints::channel_test

@@ -13,7 +13,7 @@
 #include "bridge/schedule/windows.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir {
+namespace blockweir::checkpoint_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -159,4 +159,4 @@ TEST(Windows, ThatHaveGrownAreCutAtAPeakThatTheirEndsDoNotSee) {
 }
 
 }  // namespace
-}  // namespace blockweir
+}  // namespace blockweir::checkpoint_test

@@ -10,6 +10,7 @@
 
 #include "tests/unit/source_text.hpp"
 
+namespace blockweir::class_size_test {
 namespace {
 
 using blockweir::tests::code_of_file;
@@ -74,3 +75,4 @@ TEST(ClassSize, NoClassIsAFolder) {
 }
 
 }  // namespace
+}  // namespace blockweir::class_size_test

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace blockweir::results {
+namespace blockweir::results::closed_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -56,4 +56,4 @@ TEST_F(ClosedFileTest, ADiskThatIsFullLeavesItAsItWas) {
 }
 
 }  // namespace
-}  // namespace blockweir::results
+}  // namespace blockweir::results::closed_file_test

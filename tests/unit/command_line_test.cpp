@@ -14,7 +14,7 @@
 #include "bridge/launch/version.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::launch {
+namespace blockweir::launch::command_line_test {
 namespace {
 
 using testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST_F(CommandLine, TheVersionNamesCommitCompilerAndOpenFoam) {
 }
 
 }  // namespace
-}  // namespace blockweir::launch
+}  // namespace blockweir::launch::command_line_test

@@ -7,7 +7,7 @@
 
 #include "solid/block/moving_parts.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::contact_outlines_test {
 namespace {
 
 using Outline = std::vector<std::pair<double, double>>;
@@ -61,4 +61,4 @@ TEST(ContactOutlines, LeaveOutWhatIsStraightBetweenBends) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::contact_outlines_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace blockweir::solid {
+namespace blockweir::solid::contact_search_test {
 namespace {
 
 /// Two slabs on each other, 0.1 m and 0.2 m thick, the lower one wider.
@@ -284,4 +284,4 @@ TEST_F(CrossingTips, AreOneOnceAStepHasTakenOneThroughTheOther) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::contact_search_test

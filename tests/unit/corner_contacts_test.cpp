@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::solid::limit {
+namespace blockweir::solid::limit::corner_contacts_test {
 namespace {
 
 using Outline = std::vector<Point>;
@@ -93,4 +93,4 @@ TEST(CornerContacts, ConvexCornersThatMeetHoldNothing) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::limit
+}  // namespace blockweir::solid::limit::corner_contacts_test

@@ -12,7 +12,7 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/limit/limit_level.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::corner_stands_test {
 namespace {
 
 using solid::limit::Wrench;
@@ -86,4 +86,4 @@ TEST(CornerStands, AnyPushTurnsThemOver) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::corner_stands_test

@@ -10,7 +10,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/contact/complementarity.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::coulomb_forces_test {
 namespace {
 
 /// At one contact of 1 m per N per metre.
@@ -82,4 +82,4 @@ TEST(Complementarity, IsZeroWhereNothingIsNegative) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::coulomb_forces_test

@@ -8,7 +8,7 @@
 
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::crack_ends_test {
 namespace {
 
 /// Two boxes of 4 x 2 m on ground; the second one's base, on the land side, is called "dry".
@@ -90,4 +90,4 @@ TEST(CrackEnds, OfADamThatHasSlidAreNotJudged) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::crack_ends_test

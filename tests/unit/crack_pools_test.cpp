@@ -11,7 +11,7 @@
 
 #include "tests/still_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::crack_pools_test {
 namespace {
 
 using tests::load_at_rest;
@@ -121,4 +121,4 @@ TEST(CrackPools, TheWaterOfASlabThatMovesIsThatWhichIsBesideItNow) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::crack_pools_test

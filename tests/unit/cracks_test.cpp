@@ -9,7 +9,7 @@
 
 #include "tests/unit/rubble.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::cracks_test {
 namespace {
 
 TEST(Cracks, AreThoseOfASearchOfAllPairs) {
@@ -65,4 +65,4 @@ TEST(Cracks, FullUpliftHasTheHigherPressureOfBothEnds) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::cracks_test

@@ -10,7 +10,7 @@
 #include "solid/output/water_on_crest.hpp"
 #include "tests/still_water.hpp"
 
-namespace blockweir {
+namespace blockweir::crest_test {
 namespace {
 
 using testing::HasSubstr;
@@ -65,4 +65,4 @@ TEST(Crest, ThatSlopesIsAFaceOfTheDamAndThatIsSaid) {
 }
 
 }  // namespace
-}  // namespace blockweir
+}  // namespace blockweir::crest_test

@@ -10,7 +10,7 @@
 
 #include "tests/still_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::crest_water_test {
 namespace {
 
 using tests::load_at_rest;
@@ -108,4 +108,4 @@ TEST(CrestWater, LevelsThatAreAllButEqualPressAsEqualOnesDo) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::crest_water_test

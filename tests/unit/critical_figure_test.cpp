@@ -8,7 +8,7 @@
 #include "bridge/picture/draw.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::study {
+namespace blockweir::study::critical_figure_test {
 namespace {
 
 using testing::AllOf;
@@ -48,4 +48,4 @@ TEST_F(CriticalFigure, HasTheOutcomeOverTheValueWhereThereIsNoFactor) {
 }
 
 }  // namespace
-}  // namespace blockweir::study
+}  // namespace blockweir::study::critical_figure_test

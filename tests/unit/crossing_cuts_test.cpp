@@ -12,7 +12,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::crossing_cuts_test {
 namespace {
 
 /// Four quarters of a square on a friction of 60 degrees: the level cut has 14, the upright one 20 and a bond.
@@ -104,4 +104,4 @@ TEST(CrossingCuts, EdgesThatNoCutMadeHaveNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::crossing_cuts_test

@@ -8,7 +8,7 @@
 
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::crumbs_test {
 namespace {
 
 using testing::Contains;
@@ -56,4 +56,4 @@ TEST(Crumbs, AreWarnedOfByTheSmallest) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::crumbs_test

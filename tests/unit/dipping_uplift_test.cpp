@@ -3,6 +3,7 @@
 // Uplift laws that leave pressure out where a crack dips are warned of.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::dipping_uplift_test {
 using namespace blockweir::scene;
 using sample::warnings;
 using sample::with;
@@ -42,3 +43,4 @@ TEST(DippingUplift, LinearUpliftOfACrackThatBendsDownIsAWarningAndOfOneThatBends
 }
 
 }  // namespace
+}  // namespace blockweir::dipping_uplift_test

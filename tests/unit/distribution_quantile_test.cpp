@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace blockweir::study {
+namespace blockweir::study::distribution_quantile_test {
 namespace {
 
 using scene::Distribution;
@@ -36,4 +36,4 @@ TEST(DistributionQuantile, OfOneThatIsCutOffLiesWithinTheCuts) {
 }
 
 }  // namespace
-}  // namespace blockweir::study
+}  // namespace blockweir::study::distribution_quantile_test

@@ -17,7 +17,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/scenes_of_tables.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::documented_keys_test {
 namespace {
 
 using test::scene_with;
@@ -234,4 +234,4 @@ TEST(DocumentedKeys, HaveTheDefaultsThatThePageSays) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::documented_keys_test

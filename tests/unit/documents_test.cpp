@@ -15,6 +15,7 @@
 #include "solid/expect/formulas.hpp"
 #include "solid/expect/quantities.hpp"
 
+namespace blockweir::documents_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -188,3 +189,4 @@ TEST(Documents, EveryLinkLeadsSomewhere) {
 }
 
 }  // namespace
+}  // namespace blockweir::documents_test

@@ -11,7 +11,7 @@
 #include "bridge/scene/diagnostic.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::study {
+namespace blockweir::study::draws_test {
 namespace {
 
 using testing::HasSubstr;
@@ -58,4 +58,4 @@ TEST_F(DrawnSettings, AFileThatIsWrongIsRefusedAtTheStudy) {
 }
 
 }  // namespace
-}  // namespace blockweir::study
+}  // namespace blockweir::study::draws_test

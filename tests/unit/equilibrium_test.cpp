@@ -12,7 +12,7 @@
 #include "solid/step/swept_equilibrium.hpp"
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::equilibrium_test {
 namespace {
 
 constexpr double weight = 25000;
@@ -87,4 +87,4 @@ TEST(Undo, ASearchInVainLeavesTheTrialAsItWas) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::equilibrium_test

@@ -10,7 +10,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::face_motions_test {
 namespace {
 
 using Six = std::array<double, 6>;
@@ -101,4 +101,4 @@ TEST(FaceMotions, OfRigidBlocksAreThreeABlock) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::face_motions_test

@@ -14,7 +14,7 @@
 
 #include "tests/own_folder.hpp"
 
-namespace blockweir::results {
+namespace blockweir::results::folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST_F(Folder, AFileOfAnotherKindOfNameIsRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::results
+}  // namespace blockweir::results::folder_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <random>
 
-namespace blockweir::solid {
+namespace blockweir::solid::force_rule_test {
 namespace {
 
 const Eigen::Matrix2d round = Eigen::Matrix2d::Identity();
@@ -90,4 +90,4 @@ TEST(ForceRule, HoldsForRandomPoints) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::force_rule_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::solid {
+namespace blockweir::solid::force_sweeps_test {
 namespace {
 
 constexpr Eigen::Index weights = 5;
@@ -82,4 +82,4 @@ TEST(ForceSweeps, GoOnFromForcesThatTheyAreGiven) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::force_sweeps_test

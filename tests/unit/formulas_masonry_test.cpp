@@ -5,7 +5,7 @@
 
 #include "solid/expect/formulas.hpp"
 
-namespace blockweir::solid::expect {
+namespace blockweir::solid::expect::formulas_masonry_test {
 namespace {
 
 double arch_thickness(int voussoirs, double mean_radius_m, double embrace_deg) {
@@ -46,4 +46,4 @@ TEST(ArchThickness, UnderTiltedGravityIsAnError) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::expect
+}  // namespace blockweir::solid::expect::formulas_masonry_test

@@ -8,7 +8,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "solid/expect/formulas.hpp"
 
-namespace blockweir::solid::expect {
+namespace blockweir::solid::expect::formulas_slopes_test {
 namespace {
 
 TEST(TopplingSlope, OfGoodmanAndBrayNeedsThePublishedFriction) {
@@ -51,4 +51,4 @@ TEST(TopplingSlope, ChangesNothingWithTheUnitOfLength) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::expect
+}  // namespace blockweir::solid::expect::formulas_slopes_test

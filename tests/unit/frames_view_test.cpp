@@ -5,7 +5,7 @@
 
 #include "bridge/picture/frames.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::frames_view_test {
 namespace {
 
 using nlohmann::json;
@@ -50,4 +50,4 @@ TEST(FramesView, AFixedWallIsShownWhereItAloneStandsInWater) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::frames_view_test

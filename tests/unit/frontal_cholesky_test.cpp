@@ -11,7 +11,7 @@
 #include "fluid/reservoir/pressure_equation.hpp"
 #include "tests/unit/reservoir_wall.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::frontal_cholesky_test {
 namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -109,4 +109,4 @@ TEST(FrontalCholesky, WaterWithoutASurfaceHasNoPressures) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::frontal_cholesky_test

@@ -8,6 +8,7 @@
 
 #include "tests/unit/source_text.hpp"
 
+namespace blockweir::function_size_test {
 namespace {
 
 using blockweir::tests::code_of_file;
@@ -87,3 +88,4 @@ TEST(FunctionSize, NoFunctionIsLongerThanAPage) {
 }
 
 }  // namespace
+}  // namespace blockweir::function_size_test

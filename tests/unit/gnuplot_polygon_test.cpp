@@ -8,7 +8,7 @@
 
 #include "bridge/picture/gnuplot.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::gnuplot_polygon_test {
 namespace {
 
 using Point = Eigen::Vector2d;
@@ -64,4 +64,4 @@ TEST(GnuplotPolygon, InViewIsDrawnAsItIs) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::gnuplot_polygon_test

@@ -17,7 +17,7 @@
 #include "bridge/study/map_figure.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::gnuplot_text_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -193,4 +193,4 @@ TEST(Curve, KeepsTheLowestAndHighestOfEachSpanAndTheGaps) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::gnuplot_text_test

@@ -7,7 +7,7 @@
 
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::ground_ends_test {
 namespace {
 
 using Outline = std::vector<Point>;
@@ -116,4 +116,4 @@ TEST(GroundEnds, BelowALightBlockWithoutGroundThereIsWater) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::ground_ends_test

@@ -9,7 +9,7 @@
 
 #include "tests/still_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::hydrostatics_test {
 namespace {
 
 using tests::load_at_rest;
@@ -247,4 +247,4 @@ TEST(HydrostaticModel, WaterRidesWithTheGround) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::hydrostatics_test

@@ -13,7 +13,7 @@
 
 #include "solid/contact/search.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::interior_point_test {
 namespace {
 
 constexpr double friction = 0.5;
@@ -156,4 +156,4 @@ TEST(InteriorPoint, StoppedBeforeItHasConvergedItHandsOverWhatIsAdmissible) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::interior_point_test

@@ -7,7 +7,7 @@
 
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::island_equations_test {
 namespace {
 
 TEST(IslandEquations, AtRestTheWeightIsUnbalanced) {
@@ -82,4 +82,4 @@ TEST(StepIslands, WhatNothingTouchesKeepsItsEquationsWhileOthersPart) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::island_equations_test

@@ -8,7 +8,7 @@
 #include "solid/contact/joint_law.hpp"
 #include "solid/contact/neighbours.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::joint_law_test {
 namespace {
 
 TEST(JointLaw, HoldsShearUpToFrictionAndCohesion) {
@@ -64,4 +64,4 @@ TEST(Neighbours, AreThoseThatAllPairsFind) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::joint_law_test

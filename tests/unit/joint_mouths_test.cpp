@@ -12,7 +12,7 @@
 #include "fluid/joints/flow_tables.hpp"
 #include "tests/joint_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::joint_mouths_test {
 namespace {
 
 using namespace tests;
@@ -238,4 +238,4 @@ TEST(JointMouths, AGapInsideIsAirOnlyWhereAWayLeadsOut) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::joint_mouths_test

@@ -16,7 +16,7 @@
 #include "bridge/scene/at.hpp"
 #include "tests/joint_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::joint_network_test {
 namespace {
 
 using namespace tests;
@@ -219,4 +219,4 @@ TEST(JointNetwork, AStateThatIsRestoredGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::joint_network_test

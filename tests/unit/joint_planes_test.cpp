@@ -13,7 +13,7 @@
 #include "solid/step/solid.hpp"
 #include "tests/samples.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::joint_planes_test {
 namespace {
 
 std::string block(const std::string& name, double from_m, double to_m, double low_m, double high_m, bool fixed) {
@@ -98,4 +98,4 @@ TEST(JointPlanes, ALongGroundIsNoPlaneBesideItsJoint) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::joint_planes_test

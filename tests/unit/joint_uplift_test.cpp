@@ -15,7 +15,7 @@
 #include "fluid/joints/flow_tables.hpp"
 #include "tests/joint_water.hpp"
 
-namespace blockweir::joints {
+namespace blockweir::joints::joint_uplift_test {
 namespace {
 
 using namespace tests;
@@ -149,4 +149,4 @@ TEST(TransientGuard, NamesTheWindowThatMakesItSmall) {
 }
 
 }  // namespace
-}  // namespace blockweir::joints
+}  // namespace blockweir::joints::joint_uplift_test

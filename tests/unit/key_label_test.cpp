@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::study {
+namespace blockweir::study::key_label_test {
 namespace {
 
 TEST(KeyLabel, HasWordsAndAUnit) {
@@ -23,4 +23,4 @@ TEST(KeyLabel, LeavesOutWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace blockweir::study
+}  // namespace blockweir::study::key_label_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::picture {
+namespace blockweir::picture::label_places_test {
 namespace {
 
 using Point = LabelPlaces::Point;
@@ -49,4 +49,4 @@ TEST(LabelPlaces, WhereLinesAreEverywhereLabelsStandOverThemButNotOverEachOther)
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::label_places_test

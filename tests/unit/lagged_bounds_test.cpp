@@ -8,7 +8,7 @@
 #include <array>
 #include <limits>
 
-namespace blockweir::solid {
+namespace blockweir::solid::lagged_bounds_test {
 namespace {
 
 constexpr std::array contacts{0, 1};
@@ -66,4 +66,4 @@ TEST(LaggedBounds, ComeToRestWhereWholeChangesWouldGrow) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::lagged_bounds_test

@@ -9,6 +9,7 @@
 
 #include "tests/own_folder.hpp"
 
+namespace blockweir::launcher_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -68,3 +69,4 @@ TEST_F(Launcher, ACallThatWaitsForAnotherSaysSoAfterASecond) {
 }
 
 }  // namespace
+}  // namespace blockweir::launcher_test

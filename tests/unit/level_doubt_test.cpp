@@ -8,7 +8,7 @@
 
 #include "bridge/scene/constant_loads.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid::output::level_doubt_test {
 namespace {
 
 using testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST(ConstantLoads, ChangeWithALevelALoadASupportAndAGroundThatShakes) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid::output::level_doubt_test

@@ -16,9 +16,9 @@
 #include "solid/limit/mechanism_description.hpp"
 #include "tests/samples.hpp"
 
+namespace blockweir::limit_analysis_test {
 namespace {
 
-using namespace blockweir;
 using namespace blockweir::solid::limit;
 
 double radians(double degrees) {
@@ -266,3 +266,4 @@ TEST(LimitAnalysis, WallsOfBricksAllHaveTheirFactors) {
 }
 
 }  // namespace
+}  // namespace blockweir::limit_analysis_test

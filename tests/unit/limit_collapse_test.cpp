@@ -10,7 +10,7 @@
 #include "solid/limit/limit_strength.hpp"
 #include "solid/limit/mechanism_description.hpp"
 
-namespace blockweir::solid::limit {
+namespace blockweir::solid::limit::limit_collapse_test {
 namespace {
 
 /// Level ground, and blocks on it.
@@ -116,4 +116,4 @@ TEST(LimitCollapse, WhatDoesNotStandEmptyHasTheMechanismOfItsOwnStrength) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::limit
+}  // namespace blockweir::solid::limit::limit_collapse_test

@@ -13,9 +13,9 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/limit/limit_strength.hpp"
 
+namespace blockweir::limit_corners_test {
 namespace {
 
-using namespace blockweir;
 using namespace blockweir::solid::limit;
 
 double radians(double degrees) {
@@ -131,3 +131,4 @@ TEST(LimitCorners, GroundDrawnAsOneBlockOrAsTwoHoldsAlike) {
 }
 
 }  // namespace
+}  // namespace blockweir::limit_corners_test

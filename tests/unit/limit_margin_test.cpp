@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-namespace blockweir::process {
+namespace blockweir::process::limit_margin_test {
 namespace {
 
 using nlohmann::json;
@@ -50,4 +50,4 @@ TEST(LimitMargin, OtherwiseTheFactorIsToldAlone) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::limit_margin_test

@@ -10,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 
+namespace blockweir::linear_program_test {
 namespace {
 
 using blockweir::solid::limit::infinite;
@@ -75,3 +76,4 @@ TEST(LinearProgram, EquationsThatContradictEachOtherHaveNoSolution) {
 }
 
 }  // namespace
+}  // namespace blockweir::linear_program_test

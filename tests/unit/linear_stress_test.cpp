@@ -10,7 +10,7 @@
 #include <random>
 #include <utility>
 
-namespace blockweir::solid {
+namespace blockweir::solid::linear_stress_test {
 namespace {
 
 constexpr double normal = 1e6;
@@ -102,4 +102,4 @@ TEST(LinearStress, StretchesThatTouchAreOne) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::linear_stress_test

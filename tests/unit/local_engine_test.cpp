@@ -12,7 +12,7 @@
 #include "bridge/engine/slurm_engine.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::engine {
+namespace blockweir::engine::local_engine_test {
 namespace {
 
 using nlohmann::json;
@@ -124,4 +124,4 @@ TEST_F(Batches, AFileThatIsNotWholeDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace blockweir::engine
+}  // namespace blockweir::engine::local_engine_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace blockweir::scene {
+namespace blockweir::scene::loose_blocks_test {
 namespace {
 
 using testing::ElementsAre;
@@ -86,4 +86,4 @@ TEST(LooseBlocks, AreHeldForAnswersAtRestAndNamed) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::loose_blocks_test

@@ -12,7 +12,7 @@
 
 #include "tests/own_folder.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::measured_test {
 namespace {
 
 using testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST_F(Measured, SlipsAreToldWithFileAndLineAndWhatIsExpected) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::measured_test

@@ -5,7 +5,7 @@
 
 #include "bridge/picture/mechanism.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::mechanism_view_test {
 namespace {
 
 using nlohmann::json;
@@ -50,4 +50,4 @@ TEST(MechanismView, ShowsTheRockWhereItMoves) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::mechanism_view_test

@@ -9,7 +9,7 @@
 
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::model_test {
 namespace {
 
 TEST(Model, MeasuresWhatCanMove) {
@@ -53,4 +53,4 @@ TEST(Model, AStaticAnalysisSettlesUnderTheLoadsOfItsEnd) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::model_test

@@ -11,7 +11,7 @@
 
 #include "tests/unit/networks.hpp"
 
-namespace blockweir::joints {
+namespace blockweir::joints::network_filling_test {
 namespace {
 
 /// Of PHYSICS.md section 6: a joint of 25 m whose mouth is at 11.9 MPa from time 0 on.
@@ -142,4 +142,4 @@ TEST(NetworkFilling, WaterInAJointThatBlocksPressShutComesToRest) {
 }
 
 }  // namespace
-}  // namespace blockweir::joints
+}  // namespace blockweir::joints::network_filling_test

@@ -12,7 +12,7 @@
 #include "tests/samples.hpp"
 #include "tests/unit/networks.hpp"
 
-namespace blockweir::joints {
+namespace blockweir::joints::network_flow_test {
 namespace {
 
 TEST(NetworkFlow, StepsOfApertureShareTheFallByTheirResistance) {
@@ -249,4 +249,4 @@ TEST(NetworkFlow, ARestoredFactorGivesTheSameBits) {
 }
 
 }  // namespace
-}  // namespace blockweir::joints
+}  // namespace blockweir::joints::network_flow_test

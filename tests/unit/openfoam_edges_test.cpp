@@ -8,9 +8,9 @@
 #include "tests/samples.hpp"
 #include "tests/unit/openfoam_shapes.hpp"
 
+namespace blockweir::openfoam_edges_test {
 namespace {
 
-using namespace blockweir;
 using namespace blockweir::openfoam;
 using shapes::Blocks;
 using testing::IsEmpty;
@@ -149,3 +149,4 @@ TEST(OpenFoamEdges, StructuresDrawnAtRandomArePressedRightOrToldToBeTooFine) {
 }
 
 }  // namespace
+}  // namespace blockweir::openfoam_edges_test

@@ -6,9 +6,9 @@
 #include "fluid/openfoam/initial_water.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::openfoam_grid_test {
 namespace {
 
-using namespace blockweir;
 using scene::sample::with;
 using testing::HasSubstr;
 
@@ -87,3 +87,4 @@ TEST(OpenFoamGrid, StatedEndsThatCutOffDrawnWaterAreRefusedWithWhatSuffices) {
 }
 
 }  // namespace
+}  // namespace blockweir::openfoam_grid_test

@@ -4,9 +4,9 @@
 #include "fluid/openfoam/inflow_limits.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::openfoam_inflow_test {
 namespace {
 
-using namespace blockweir;
 using openfoam::StokesWave;
 using scene::sample::expect_error;
 using scene::sample::with;
@@ -86,3 +86,4 @@ TEST(OpenFoamInflow, ALevelControlThatDoesNotSuitTheWaterIsRefused) {
 }
 
 }  // namespace
+}  // namespace blockweir::openfoam_inflow_test

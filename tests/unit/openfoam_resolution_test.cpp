@@ -3,9 +3,9 @@
 // Shapes that a mesh is too coarse for are refused before interFoam starts, with the mesh that it takes.
 #include "tests/unit/openfoam_shapes.hpp"
 
+namespace blockweir::openfoam_resolution_test {
 namespace {
 
-using namespace blockweir;
 using namespace blockweir::openfoam;
 using shapes::Blocks;
 using testing::HasSubstr;
@@ -82,3 +82,4 @@ TEST(OpenFoamResolution, AThinParapetThatHoldsLittleWaterIsToldAndRuns) {
 }
 
 }  // namespace
+}  // namespace blockweir::openfoam_resolution_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::solid {
+namespace blockweir::solid::outline_overlap_test {
 namespace {
 
 const std::vector<Point> square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
@@ -31,4 +31,4 @@ TEST(OutlineOverlap, OfLessThanIsKnownIsNotLookedFor) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::outline_overlap_test

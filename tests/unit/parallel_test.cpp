@@ -11,7 +11,7 @@
 
 #include "solid/block/parallel.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::parallel_test {
 namespace {
 
 class Parallel : public testing::TestWithParam<std::size_t> {
@@ -80,4 +80,4 @@ TEST_P(Parallel, LoopsOfTwoThreadsAtATimeAndOneInAnotherEnd) {
 INSTANTIATE_TEST_SUITE_P(OnThreads, Parallel, testing::Values(1, 2, 3, 8), testing::PrintToStringParamName());
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::parallel_test

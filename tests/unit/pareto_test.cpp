@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+namespace blockweir::pareto_test {
 namespace {
 
 using namespace blockweir::study;
@@ -29,3 +30,4 @@ TEST(Pareto, WhatIsBetteredIsSoClearly) {
 }
 
 }  // namespace
+}  // namespace blockweir::pareto_test

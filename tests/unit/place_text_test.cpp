@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::geometry {
+namespace blockweir::geometry::place_text_test {
 namespace {
 
 TEST(PlaceText, RoundOffIsZero) {
@@ -22,4 +22,4 @@ TEST(PlaceText, AZeroHasNoSign) {
 }
 
 }  // namespace
-}  // namespace blockweir::geometry
+}  // namespace blockweir::geometry::place_text_test

@@ -9,7 +9,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "fluid/joints/polygon_offset.hpp"
 
-namespace blockweir::joints {
+namespace blockweir::joints::polygon_offset_test {
 namespace {
 
 double distance_to(const Ring& outline, const Point& p) {
@@ -81,4 +81,4 @@ TEST(Sideways, LinesThatHardlyCrossAreNotFollowedFar) {
 }
 
 }  // namespace
-}  // namespace blockweir::joints
+}  // namespace blockweir::joints::polygon_offset_test

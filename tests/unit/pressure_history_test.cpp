@@ -7,7 +7,7 @@
 
 #include "solid/block/pressure_history.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::pressure_history_test {
 namespace {
 
 /// Force and moment about its end of what presses on edge 0 of block 0, which is 1 m long.
@@ -64,4 +64,4 @@ TEST(PressureHistory, ASurfaceThatRisesGoesOnRising) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::pressure_history_test

@@ -8,6 +8,7 @@
 
 #include "bridge/picture/profile.hpp"
 
+namespace blockweir::profile_hint_test {
 namespace {
 
 using testing::HasSubstr;
@@ -27,3 +28,4 @@ TEST(ProfileHint, NamesInprocAndFewerJobsWhereBothProcessesWait) {
 }
 
 }  // namespace
+}  // namespace blockweir::profile_hint_test

@@ -9,7 +9,7 @@
 
 #include "bridge/process/progress.hpp"
 
-namespace blockweir::process {
+namespace blockweir::process::progress_test {
 namespace {
 
 class ProgressLines : public testing::Test {
@@ -51,4 +51,4 @@ TEST_F(ProgressLines, AStructureThatSettlesHasNotBegun) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::progress_test

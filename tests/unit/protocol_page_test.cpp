@@ -13,7 +13,7 @@
 #include "bridge/wire/codec.hpp"
 #include "bridge/wire/panels.hpp"
 
-namespace blockweir::wire {
+namespace blockweir::wire::protocol_page_test {
 namespace {
 
 std::string text_of(const std::string& file) {
@@ -87,4 +87,4 @@ TEST(ThePageOfTheProtocol, NamesTheVersionThatIsSent) {
 }
 
 }  // namespace
-}  // namespace blockweir::wire
+}  // namespace blockweir::wire::protocol_page_test

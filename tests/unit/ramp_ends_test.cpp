@@ -8,6 +8,7 @@
 #include "bridge/scene/read/ramp_ends.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::ramp_ends_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -40,3 +41,4 @@ TEST(RampEnds, HoldWhatARampHasReachedAndLeaveTheRestAsItIs) {
 }
 
 }  // namespace
+}  // namespace blockweir::ramp_ends_test

@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-namespace blockweir::process {
+namespace blockweir::process::reached_test {
 namespace {
 
 std::string told_of(const std::string& history) {
@@ -28,4 +28,4 @@ TEST(Reached, IsTheLastWholeRow) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::reached_test

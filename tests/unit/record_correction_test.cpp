@@ -12,7 +12,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::record_correction_test {
 namespace {
 
 using sample::expect_error;
@@ -149,4 +149,4 @@ TEST_F(RecordFile, AGapIsNamedByTheLineOfItsFile) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::record_correction_test

@@ -13,7 +13,7 @@
 #include "bridge/picture/draw.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::study {
+namespace blockweir::study::reliability_output_test {
 namespace {
 
 using nlohmann::json;
@@ -81,4 +81,4 @@ TEST_F(SobolFigure, HasNamesThatDoNotOverlap) {
 }
 
 }  // namespace
-}  // namespace blockweir::study
+}  // namespace blockweir::study::reliability_output_test

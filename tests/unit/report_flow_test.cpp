@@ -11,7 +11,7 @@
 #include "bridge/picture/plot_flow.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::report_flow_test {
 namespace {
 
 class ReportFlow : public OwnFolder {
@@ -62,4 +62,4 @@ TEST_F(ReportFlow, IsDrawnBesideTheLawsOfTheJointWithMostUplift) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::report_flow_test

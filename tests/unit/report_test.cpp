@@ -16,7 +16,7 @@
 #include "tests/own_folder.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::report_test {
 namespace {
 
 using nlohmann::json;
@@ -125,4 +125,4 @@ TEST(ReportPage, CannotBeEndedByATextOfTheScene) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::report_test

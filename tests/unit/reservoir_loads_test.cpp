@@ -7,9 +7,9 @@
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::reservoir_loads_test {
 namespace {
 
-using namespace blockweir;
 using geometry::Point;
 using scene::read_text;
 using scene::sample::errors;
@@ -260,3 +260,4 @@ TEST(ReservoirLoads, AreRefusedWhereTheyCannotAct) {
 }
 
 }  // namespace
+}  // namespace blockweir::reservoir_loads_test

@@ -10,7 +10,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::reservoir_mesh_test {
 namespace {
 
 using geometry::signed_area;
@@ -115,4 +115,4 @@ TEST(ReservoirMesh, AnEmptyPoolHasNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::reservoir_mesh_test

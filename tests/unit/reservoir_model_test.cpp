@@ -10,7 +10,7 @@
 
 #include "tests/unit/reservoir_dam.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_model_test {
 namespace {
 
 TEST(ReservoirModel, AnAccelerationAddsItsPressureToStillWater) {
@@ -284,4 +284,4 @@ TEST(ReservoirModel, AFarWallWithinTheModelAndKeysOfAnotherModelAreErrors) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_model_test

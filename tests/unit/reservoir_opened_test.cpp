@@ -8,7 +8,7 @@
 #include "tests/samples.hpp"
 #include "tests/unit/reservoir_wall.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_opened_test {
 namespace {
 
 using Outline = std::vector<Point>;
@@ -130,4 +130,4 @@ TEST(OpenedBlocks, WaterBesideABlockOnItsCornerIsMeshed) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_opened_test

@@ -16,7 +16,7 @@
 #include "fluid/reservoir/reservoir_model.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_output_test {
 namespace {
 
 constexpr double depth_m = 20;
@@ -93,4 +93,4 @@ TEST_F(ReservoirFiles, AreWrittenOnlyWhereTheyAreAskedFor) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_output_test

@@ -10,7 +10,7 @@
 #include "fluid/reservoir/added_mass.hpp"
 #include "tests/unit/reservoir_wall.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_water_test {
 namespace {
 
 struct Solved {
@@ -121,4 +121,4 @@ TEST(ReservoirWater, TheAddedMassesOfAllBlocksAreOneSymmetricPositiveMatrix) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_water_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace blockweir::picture {
+namespace blockweir::picture::response_spectrum_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -33,4 +33,4 @@ TEST(ResponseSpectrum, StiffOscillatorsFeelTheGroundAndSoftOnesStay) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::response_spectrum_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::solid::output {
+namespace blockweir::solid::output::rest_text_test {
 namespace {
 
 std::string text(bool found, int steps, double unbalanced) {
@@ -30,4 +30,4 @@ TEST(RestText, SaysWhyThereIsNoEquilibrium) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid::output::rest_text_test

@@ -9,7 +9,7 @@
 
 #include "solid/solve/force_sweeps.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::row_batches_test {
 namespace {
 
 constexpr int bodies = 40;
@@ -112,4 +112,4 @@ TEST(RowBatches, AddUpWhatBothEndsOfARowMove) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::row_batches_test

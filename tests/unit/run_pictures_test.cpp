@@ -11,7 +11,7 @@
 #include "tests/own_folder.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::run_pictures_test {
 namespace {
 
 using testing::AllOf;
@@ -120,4 +120,4 @@ TEST_F(DamBreakPictures, TheDarkestWaterIsTheFastestOfTheRunUpTo12MetresASecond)
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::run_pictures_test

@@ -6,7 +6,7 @@
 
 #include "bridge/process/run.hpp"
 
-namespace blockweir::process {
+namespace blockweir::process::run_report_test {
 namespace {
 
 using testing::HasSubstr;
@@ -56,4 +56,4 @@ TEST(RunReport, SaysWhatWasDoneToTheGroundsRecord) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::run_report_test

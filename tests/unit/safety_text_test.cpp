@@ -11,6 +11,7 @@
 
 #include "bridge/study/safety.hpp"
 
+namespace blockweir::safety_text_test {
 namespace {
 
 using nlohmann::json;
@@ -184,3 +185,4 @@ TEST(SafetyText, JointsThatAreOnlyAPartOfASurfaceHaveTheirForcesAndNoFactor) {
 }
 
 }  // namespace
+}  // namespace blockweir::safety_text_test

@@ -8,6 +8,7 @@
 #include "bridge/scene/quantity_table.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_answers_test {
 using namespace blockweir::scene;
 using sample::errors;
 using sample::expect_error;
@@ -168,3 +169,4 @@ TEST(SceneAnswers, StudiesAreHeldToTheSame) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_answers_test

@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_bolts_test {
 using namespace blockweir::scene;
 using sample::errors;
 using sample::expect_error;
@@ -70,3 +71,4 @@ TEST(SceneBolt, HoldsWhatHangsOnIt) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_bolts_test

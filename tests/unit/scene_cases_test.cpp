@@ -3,6 +3,7 @@
 // The project's own scenes and their variants are sound, and warn of nothing that is not meant.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_cases_test {
 using namespace blockweir::scene;
 
 namespace {
@@ -32,3 +33,4 @@ TEST(SceneCases, WarnOfNothingThatIsNotMeant) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_cases_test

@@ -9,7 +9,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::scene_control_characters_test {
 namespace {
 
 /// What the reader says of the sample with `text` in place of `instead`; empty where that is sound.
@@ -51,4 +51,4 @@ TEST(ControlCharacters, ANoteMayHaveLinesAndAllOthersArePlainText) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::scene_control_characters_test

@@ -3,6 +3,7 @@
 // Cuts, sets of joints and regions that leave nothing in the section are said.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_cut_effects_test {
 using namespace blockweir::scene;
 using sample::expect_error;
 using sample::expect_warning;
@@ -105,3 +106,4 @@ TEST(CutEffects, ARegionWithoutABlockIsAnError) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_cut_effects_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::scene {
+namespace blockweir::scene::scene_differences_test {
 namespace {
 
 const std::string one = "analysis.duration_s = 3\n[[cut]]\nname = 'lift'\ncohesion_pa = 0\nfrom_m = [0, 1]\n";
@@ -31,4 +31,4 @@ TEST(SceneDifferences, OfCommentsAloneOrOfWhatIsNoSceneAreTold) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::scene_differences_test

@@ -8,7 +8,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-using namespace blockweir;
+namespace blockweir::scene_drawing_test {
 using namespace blockweir::scene;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -139,3 +139,4 @@ TEST_F(Drawing, ThatIsDamagedIsRefusedWithTheLineOfTheDrawing) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_drawing_test

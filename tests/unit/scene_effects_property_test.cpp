@@ -11,6 +11,7 @@
 #include "tests/samples.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_effects_property_test {
 using namespace blockweir::scene;
 using testing::Contains;
 using testing::HasSubstr;
@@ -126,3 +127,4 @@ TEST(SceneEffects, EveryStatementWithoutEffectInRandomScenesIsReported) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_effects_property_test

@@ -3,6 +3,7 @@
 // What a scene states and does not get is said: an error, or a warning where it may be meant.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_effects_test {
 using namespace blockweir::scene;
 using sample::expect_error;
 using sample::expect_warning;
@@ -280,3 +281,4 @@ TEST(SceneEffects, ARecordThatEndsInTheMidstOfTheRunIsAWarning) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_effects_test

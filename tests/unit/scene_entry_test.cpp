@@ -5,6 +5,7 @@
 #include "bridge/scene/read/entry.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_entry_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -101,3 +102,4 @@ TEST_F(SceneEntries, ErrorsOfSeveralReadingsAreGatheredEachOnce) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_entry_test

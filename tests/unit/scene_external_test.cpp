@@ -3,7 +3,7 @@
 // [fluid] model = "external": what the reader takes and refuses.
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::scene_external_test {
 namespace {
 
 using namespace sample;
@@ -77,4 +77,4 @@ TEST(SceneExternal, UpliftThatNobodyComputesIsWarnedOf) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::scene_external_test

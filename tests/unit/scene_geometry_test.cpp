@@ -10,7 +10,7 @@
 #include "tests/samples.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-using namespace blockweir;
+namespace blockweir::scene_geometry_test {
 using namespace blockweir::scene;
 using sample::errors;
 using sample::expect_error;
@@ -276,3 +276,4 @@ TEST(SceneLoads, APathBeginsWhereItsPointIsDrawn) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_geometry_test

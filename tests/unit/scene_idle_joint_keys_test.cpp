@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_idle_joint_keys_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -45,3 +46,4 @@ TEST(IdleKeysOfTheDefaultJoint, AreNoSlipWhereAnotherJointFollowsThem) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_idle_joint_keys_test

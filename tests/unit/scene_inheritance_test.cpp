@@ -4,6 +4,7 @@
 #include "bridge/scene/read/own_laws.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_inheritance_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -54,3 +55,4 @@ TEST(SceneInheritance, ThoseThatStateAKeyThemselvesAreKnown) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_inheritance_test

@@ -8,7 +8,7 @@
 
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::scene_joint_flow_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -130,4 +130,4 @@ TEST(SceneJointFlow, TwoDrainsOfOneNameAreRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::scene_joint_flow_test

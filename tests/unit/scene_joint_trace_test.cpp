@@ -7,6 +7,7 @@
 
 #include "bridge/scene/joint_trace.hpp"
 
+namespace blockweir::scene_joint_trace_test {
 using namespace blockweir::scene;
 
 namespace {
@@ -148,3 +149,4 @@ TEST(JointTrace, IsEmptyWhereBlocksAreApartOrMeetAtAPoint) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_joint_trace_test

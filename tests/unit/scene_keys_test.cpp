@@ -6,6 +6,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_keys_test {
 using blockweir::scene::sample::errors;
 using blockweir::scene::sample::expect_error;
 using blockweir::scene::sample::text;
@@ -275,3 +276,4 @@ TEST(SceneKeys, TheReservoirIsAskedForByAFlag) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_keys_test

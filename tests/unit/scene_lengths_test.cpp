@@ -6,6 +6,7 @@
 #include "bridge/scene/structure_size.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_lengths_test {
 using namespace blockweir::scene;
 using testing::IsEmpty;
 
@@ -128,3 +129,4 @@ TEST(SceneLengths, OverlapsArePassedOverBelowAMillionthOfTheBlock) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_lengths_test

@@ -3,6 +3,7 @@
 // [[load_case]]: what is read, and what is refused.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_load_case_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -63,3 +64,4 @@ TEST_F(LoadCases, NeedANameOfTheirOwnAndSomethingThatTheySet) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_load_case_test

@@ -9,6 +9,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_loads_test {
 using namespace blockweir::scene;
 using sample::errors;
 using sample::expect_error;
@@ -234,3 +235,4 @@ TEST_F(SceneRecord, FaultsNameTheFileAndItsLine) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_loads_test

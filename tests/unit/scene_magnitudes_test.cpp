@@ -9,6 +9,7 @@
 #include "bridge/scene/read/magnitudes.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_magnitudes_test {
 using namespace blockweir::scene;
 using sample::expect_warning;
 using sample::text;
@@ -271,3 +272,4 @@ TEST(SceneMagnitudes, StrictMakesErrorsOfWarnings) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_magnitudes_test

@@ -9,9 +9,9 @@
 #include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_masonry_test {
 namespace {
 
-using namespace blockweir;
 using namespace blockweir::scene;
 
 /// A scene of nothing but what is generated; the generator's heading is line 7.
@@ -160,3 +160,4 @@ TEST(SceneHeap, ItsBlocksFitTheBox) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_masonry_test

@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_mesh_test {
 using namespace blockweir::scene;
 using sample::expect_error;
 using sample::with;
@@ -95,3 +96,4 @@ outline_m = [[0, 1], [4, 1], [4, 2], [0, 2]]
 }
 
 }  // namespace
+}  // namespace blockweir::scene_mesh_test

@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_one_cause_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -78,3 +79,4 @@ TEST(SceneOneCause, AnEmptySetIsToldWhatItNeeds) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_one_cause_test

@@ -3,6 +3,7 @@
 // [[study]]: what is read, and what is refused.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_open_studies_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -100,3 +101,4 @@ TEST(SceneOpenStudies, NamesDifferFromThoseOfAllStudies) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_open_studies_test

@@ -8,6 +8,7 @@
 #include "bridge/scene/read/digest.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_override_test {
 using namespace blockweir::scene;
 using sample::errors;
 using sample::text;
@@ -147,3 +148,4 @@ TEST(SceneDigest, IsFnv1a) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_override_test

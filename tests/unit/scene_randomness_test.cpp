@@ -3,6 +3,7 @@
 // [[random]], [[correlation]] and [reliability]: what is read, and what is refused.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_randomness_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -124,3 +125,4 @@ TEST_F(Randomness, WhatIsAskedForIsKnown) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_randomness_test

@@ -12,7 +12,7 @@
 #include "bridge/scene/read/nearest.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-using namespace blockweir;
+namespace blockweir::scene_read_test {
 using namespace blockweir::scene;
 using sample::text;
 using sample::with;
@@ -225,3 +225,4 @@ TEST(Polygon, AreaAndCentroidKeepTheirDigitsFarAway) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_read_test

@@ -7,6 +7,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_repeat_test {
 using namespace blockweir::scene;
 
 namespace {
@@ -70,3 +71,4 @@ TEST(SceneRepeat, WithoutWaterOnlyTheDurationDiffers) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_repeat_test

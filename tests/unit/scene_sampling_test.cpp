@@ -3,6 +3,7 @@
 // Courses in time that go on between two looks of the run: what it would not see is warned of.
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_sampling_test {
 using namespace blockweir::scene;
 using sample::expect_error;
 using sample::expect_warning;
@@ -101,3 +102,4 @@ TEST(SceneSampling, ARecordThatIsFastAgainstTheWindowsOfAReservoir) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_sampling_test

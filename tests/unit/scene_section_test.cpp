@@ -11,6 +11,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_section_test {
 using namespace blockweir::scene;
 using sample::errors;
 using testing::HasSubstr;
@@ -209,3 +210,4 @@ TEST(JointSets, KeepSpacingAndPersistence) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_section_test

@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_slips_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -97,3 +98,4 @@ TEST_F(Records, MayBeginWithAByteOrderMark) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_slips_test

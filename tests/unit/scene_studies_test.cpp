@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_studies_test {
 namespace {
 
 using blockweir::scene::sample::errors;
@@ -89,3 +90,4 @@ TEST(SceneStudies, NamesDifferAndPartsExist) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_studies_test

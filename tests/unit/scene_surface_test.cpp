@@ -3,7 +3,7 @@
 // Pools that are shut in as the scene draws them.
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::scene {
+namespace blockweir::scene::scene_surface_test {
 namespace {
 
 using sample::errors;
@@ -63,4 +63,4 @@ TEST(SceneSurface, APoolWithAnOpeningIsNot) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::scene_surface_test

@@ -7,6 +7,7 @@
 #include "bridge/results/file_name.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_unique_file_names_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -71,3 +72,4 @@ TEST_F(OwnFilesOfScenes, DifferForAnyNamesThatAreRead) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_unique_file_names_test

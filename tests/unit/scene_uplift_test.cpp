@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_uplift_test {
 namespace {
 
 using namespace blockweir::scene;
@@ -96,3 +97,4 @@ vertices_m = [[3, 0], [5, 0], [5, 4], [3, 4]]
 }
 
 }  // namespace
+}  // namespace blockweir::scene_uplift_test

@@ -7,6 +7,7 @@
 #include "bridge/scene/viscous_ground.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_viscous_boundary_test {
 using namespace blockweir::scene;
 using sample::expect_error;
 using sample::warnings;
@@ -135,3 +136,4 @@ TEST(SceneViscousBoundary, WarnsOfLoadsThatMoveTheGroundForGood) {
 }
 
 }  // namespace
+}  // namespace blockweir::scene_viscous_boundary_test

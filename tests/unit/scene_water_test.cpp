@@ -5,6 +5,7 @@
 
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::scene_water_test {
 using namespace blockweir::scene;
 using sample::errors;
 using sample::expect_error;
@@ -208,3 +209,4 @@ TEST(SceneWater, TolerancesOfOpenFoamAreSmallAndRestIsForWaterThatNothingElseMov
 }
 
 }  // namespace
+}  // namespace blockweir::scene_water_test

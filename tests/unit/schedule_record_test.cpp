@@ -10,7 +10,7 @@
 
 #include "bridge/schedule/run.hpp"
 
-namespace blockweir::schedule {
+namespace blockweir::schedule::schedule_record_test {
 namespace {
 
 enum class Fails { never, told, heard };
@@ -119,4 +119,4 @@ TEST(Recording, NeedsNoFluid) {
 }
 
 }  // namespace
-}  // namespace blockweir::schedule
+}  // namespace blockweir::schedule::schedule_record_test

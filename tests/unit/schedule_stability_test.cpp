@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace blockweir::solid {
+namespace blockweir::solid::schedule_stability_test {
 namespace {
 
 using scene::Integrator;
@@ -86,4 +86,4 @@ TEST(ScheduleStability, TheGuardMayGuessTooLowByWhatTheScheduleCarries) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::schedule_stability_test

@@ -12,7 +12,7 @@
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
 
-namespace blockweir::geometry {
+namespace blockweir::geometry::section_cut_test {
 namespace {
 
 const Section square{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {}};
@@ -125,4 +125,4 @@ TEST(SectionCut, RandomLinesFillTheSectionWithSoundBlocksThatMeetExactly) {
 }
 
 }  // namespace
-}  // namespace blockweir::geometry
+}  // namespace blockweir::geometry::section_cut_test

@@ -13,7 +13,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::section_state_test {
 namespace {
 
 using nlohmann::json;
@@ -242,4 +242,4 @@ TEST(SectionState, AnchorsEndWithinTheFrame) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::section_state_test

@@ -11,7 +11,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "tests/still_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::shaken_cracks_test {
 namespace {
 
 constexpr double weight_n_per_m3 = 9810;
@@ -77,4 +77,4 @@ TEST(ShakenCracks, TheShakingEndsWithRecordsThatEndAtZero) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::shaken_cracks_test

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace blockweir::results {
+namespace blockweir::results::shared_library_test {
 namespace {
 
 constexpr const char* sparse_library = "libblockweir_sparse.so";
@@ -63,4 +63,4 @@ TEST(SharedLibrary, IsNotTakenFromTheCurrentDirectory) {
 }
 
 }  // namespace
-}  // namespace blockweir::results
+}  // namespace blockweir::results::shared_library_test

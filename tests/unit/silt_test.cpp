@@ -11,7 +11,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::picture {
+namespace blockweir::picture::silt_test {
 namespace {
 
 using nlohmann::json;
@@ -61,4 +61,4 @@ TEST_F(SiltLevel, IsThatOfTheScenesFile) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::silt_test

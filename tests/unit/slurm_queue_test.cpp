@@ -12,7 +12,7 @@
 
 #include "tests/own_folder.hpp"
 
-namespace blockweir::engine {
+namespace blockweir::engine::slurm_queue_test {
 namespace {
 
 class SlurmQueue : public test::OwnFolder {
@@ -66,4 +66,4 @@ TEST_F(SlurmQueue, AJobThatCannotBeTakenOutIsTold) {
 }
 
 }  // namespace
-}  // namespace blockweir::engine
+}  // namespace blockweir::engine::slurm_queue_test

@@ -9,7 +9,7 @@
 #include <iterator>
 #include <vector>
 
-namespace blockweir::solid {
+namespace blockweir::solid::sparse_matrix_test {
 namespace {
 
 constexpr int size = 50;
@@ -119,4 +119,4 @@ TEST(SparseMatrix, FactorizationsWakeNoThreads) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::sparse_matrix_test

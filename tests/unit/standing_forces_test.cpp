@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace blockweir::solid {
+namespace blockweir::solid::standing_forces_test {
 namespace {
 
 constexpr double enough_m = 1e-7;
@@ -92,4 +92,4 @@ TEST(StandingForces, AreForDryJointsThatDoNotDilate) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::standing_forces_test

@@ -9,7 +9,7 @@
 
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::state_test {
 namespace {
 
 TEST(State, BeginsAsTheSceneIsDrawnWithBlocksThatTouchJoined) {
@@ -70,4 +70,4 @@ TEST(State, ACheckpointOfAnotherNumberOfBlocksIsRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::state_test

@@ -11,7 +11,7 @@
 #include "solid/step/step_energy.hpp"
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::step_end_test {
 namespace {
 
 constexpr double dt = 0.01;
@@ -112,4 +112,4 @@ TEST(Meetings, OfACornerFarBehindAFaceLeadOutByTheNearest) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::step_end_test

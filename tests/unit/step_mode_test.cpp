@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::solid {
+namespace blockweir::solid::step_mode_test {
 namespace {
 
 TEST(StepMode, IsInMotionWhereItsIntegratorHasVelocities) {
@@ -27,4 +27,4 @@ TEST(StepMode, OneMethodMoreLeavesAllElseAsItWas) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::step_mode_test

@@ -7,7 +7,7 @@
 
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::step_trial_test {
 namespace {
 
 TEST(StepTrial, BlocksGoOnAsTheyMove) {
@@ -60,4 +60,4 @@ TEST(StepTrial, AFallIsThatOfGravity) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::step_trial_test

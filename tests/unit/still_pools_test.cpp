@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::picture {
+namespace blockweir::picture::still_pools_test {
 namespace {
 
 using nlohmann::json;
@@ -81,4 +81,4 @@ TEST(StillPools, AreNoneWhereNoFaceIsWet) {
 }
 
 }  // namespace
-}  // namespace blockweir::picture
+}  // namespace blockweir::picture::still_pools_test

@@ -8,7 +8,7 @@
 
 #include "tests/still_water.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::still_water_test {
 namespace {
 
 using tests::load_at_rest;
@@ -126,4 +126,4 @@ TEST(StillWater, WaterFlowsOverACrestThatHasSunkBelowIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::still_water_test

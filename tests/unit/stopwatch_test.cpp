@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir {
+namespace blockweir::stopwatch_test {
 namespace {
 
 void work(double& sum_s, double& within_s) {
@@ -47,4 +47,4 @@ TEST(Stopwatch, LooksAtNoClockInScopesThatAreLeftOut) {
 }
 
 }  // namespace
-}  // namespace blockweir
+}  // namespace blockweir::stopwatch_test

@@ -10,7 +10,7 @@
 #include "tests/own_folder.hpp"
 #include "tests/unit/scene_sample.hpp"
 
-namespace blockweir::study {
+namespace blockweir::study::study_values_test {
 namespace {
 
 using nlohmann::json;
@@ -56,4 +56,4 @@ TEST_F(Bisection, TheMiddleOfABracketIsAValueThatAUserWouldType) {
 }
 
 }  // namespace
-}  // namespace blockweir::study
+}  // namespace blockweir::study::study_values_test

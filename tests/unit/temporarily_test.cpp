@@ -8,7 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace blockweir::solid {
+namespace blockweir::solid::temporarily_test {
 namespace {
 
 TEST(Temporarily, AValueIsWhatItWasOnceTheScopeEnds) {
@@ -45,4 +45,4 @@ TEST(Temporarily, TwoThatTradePlacesKeepWhatHappensToThemMeanwhile) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::temporarily_test

@@ -14,7 +14,7 @@
 
 #include "tests/own_folder.hpp"
 
-namespace blockweir::process {
+namespace blockweir::process::temporary_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ TEST_F(TemporaryFolders, WhatIsNotOneIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::temporary_folder_test

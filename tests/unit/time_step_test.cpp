@@ -10,7 +10,7 @@
 #include "solid/step/static_analysis.hpp"
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::time_step_test {
 namespace {
 
 struct Steps : Sample {
@@ -102,4 +102,4 @@ TEST(StaticAnalysis, FindsAStoneAtRest) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::time_step_test

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace blockweir::scene {
+namespace blockweir::scene::time_table_test {
 namespace {
 
 TEST(TimeTable, AStepWithoutRowsWithinSeesItsEnd) {
@@ -39,4 +39,4 @@ TEST(TimeTable, ASineIsTakenAtTheEnd) {
 }
 
 }  // namespace
-}  // namespace blockweir::scene
+}  // namespace blockweir::scene::time_table_test

@@ -6,6 +6,7 @@
 #include "bridge/scene/read/stated_loads.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::two_earthquakes_test {
 using namespace blockweir::scene;
 using sample::text;
 using sample::warnings;
@@ -49,3 +50,4 @@ TEST(TwoEarthquakes, GroundThatHasComeToRestIsNoLoadOfTheEnd) {
 }
 
 }  // namespace
+}  // namespace blockweir::two_earthquakes_test

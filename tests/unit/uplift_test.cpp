@@ -11,7 +11,7 @@
 #include "fluid/hydrostatic/hydrostatic_model.hpp"
 #include "fluid/joints/crack_length.hpp"
 
-namespace blockweir::joints {
+namespace blockweir::joints::uplift_test {
 namespace {
 
 using scene::KnownHeads;
@@ -152,4 +152,4 @@ TEST(CrackLength, FollowsLoadsBesideTheWater) {
 }
 
 }  // namespace
-}  // namespace blockweir::joints
+}  // namespace blockweir::joints::uplift_test

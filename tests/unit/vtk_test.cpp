@@ -23,7 +23,7 @@
 #include "solid/output/vtk_writer.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::solid::output {
+namespace blockweir::solid::output::vtk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST(History, AColumnOfTheGroundsMotionHasNoNamesake) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid::output
+}  // namespace blockweir::solid::output::vtk_test

@@ -7,9 +7,9 @@
 #include "bridge/scene/water_quantities.hpp"
 #include "tests/unit/scene_sample.hpp"
 
+namespace blockweir::water_checks_test {
 namespace {
 
-using namespace blockweir;
 using scene::sample::expect_error;
 using scene::sample::with;
 using testing::HasSubstr;
@@ -85,3 +85,4 @@ TEST(Csv, CellsAreReadAsTheyWereWritten) {
 }
 
 }  // namespace
+}  // namespace blockweir::water_checks_test

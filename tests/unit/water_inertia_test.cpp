@@ -7,7 +7,7 @@
 
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::water_inertia_test {
 namespace {
 
 TEST(WaterInertia, PushesWithTheInertiaOfTheAccelerationThatTheWaterAnswers) {
@@ -62,4 +62,4 @@ TEST(WaterInertia, IsNoneWhereTheSceneHasTheGuardOff) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::water_inertia_test

@@ -16,7 +16,7 @@
 #include "tests/samples.hpp"
 #include "tests/water_models.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::water_loads_property_test {
 namespace {
 
 using tests::dry;
@@ -208,4 +208,4 @@ TEST_F(RandomStructures, LumpedForcesConvergeWithTheSquareOfTheElements) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::water_loads_property_test

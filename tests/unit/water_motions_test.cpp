@@ -7,7 +7,7 @@
 
 #include "step_sample.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::water_motions_test {
 namespace {
 
 scene::Scene meshed_stone() {
@@ -74,4 +74,4 @@ TEST(WaterMotions, HaveNoCornersBesideOtherFluids) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::water_motions_test

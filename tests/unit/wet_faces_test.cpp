@@ -12,7 +12,7 @@
 
 #include "bridge/scene/at.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::wet_faces_test {
 namespace {
 
 TEST(WetFaces, NarrowGapsCarryNoWaterAndWideOnesDo) {
@@ -192,4 +192,4 @@ TEST(WetFaces, AWallThatHasTurnedByRoundOffLetsNoWaterUnderIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::wet_faces_test

@@ -16,7 +16,7 @@
 #include "bridge/wire/messages_generated.h"
 #include "tests/unit/wire_sample.hpp"
 
-namespace blockweir::wire {
+namespace blockweir::wire::wire_codec_test {
 namespace {
 
 template <class Message>
@@ -220,4 +220,4 @@ TEST(Hello, EveryDifferenceIsNamedWithBothValues) {
 }
 
 }  // namespace
-}  // namespace blockweir::wire
+}  // namespace blockweir::wire::wire_codec_test

@@ -15,7 +15,7 @@
 #include "bridge/wire/messages_generated.h"
 #include "tests/unit/wire_sample.hpp"
 
-namespace blockweir::wire {
+namespace blockweir::wire::wire_damage_test {
 namespace {
 
 std::vector<std::uint8_t> sound_frame() {
@@ -79,4 +79,4 @@ TEST(DamagedFrames, EveryTruncationIsSeen) {
 }
 
 }  // namespace
-}  // namespace blockweir::wire
+}  // namespace blockweir::wire::wire_damage_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/wire_sample.hpp"
 
-namespace blockweir::wire {
+namespace blockweir::wire::wire_face_points_test {
 namespace {
 
 Motion sample_motion() {
@@ -58,4 +58,4 @@ TEST(FacePoints, ThatCannotBeAreRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::wire
+}  // namespace blockweir::wire::wire_face_points_test

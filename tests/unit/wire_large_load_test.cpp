@@ -8,7 +8,7 @@
 
 #include "bridge/wire/codec.hpp"
 
-namespace blockweir::wire {
+namespace blockweir::wire::wire_large_load_test {
 namespace {
 
 /// A load whose columns of doubles are parts, as it goes over the line.
@@ -115,4 +115,4 @@ TEST_F(LargeLoad, ANumberThatCannotBeIsNamed) {
 }
 
 }  // namespace
-}  // namespace blockweir::wire
+}  // namespace blockweir::wire::wire_large_load_test

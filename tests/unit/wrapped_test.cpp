@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace blockweir::results {
+namespace blockweir::results::wrapped_test {
 namespace {
 
 TEST(Wrapped, BreaksBetweenWordsAndIndentsWhatGoesOn) {
@@ -22,4 +22,4 @@ TEST(Wrapped, AWordThatIsTooLongStaysWhole) {
 }
 
 }  // namespace
-}  // namespace blockweir::results
+}  // namespace blockweir::results::wrapped_test

@@ -11,7 +11,7 @@
 #include "solid/watch/energy.hpp"
 #include "tests/verification/coupled_block.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::added_mass_guard_test {
 namespace {
 
 TEST(AddedMassGuard, ASteadyPushAcceleratesBlockAndWaterAsOneFromTheFirstWindow) {
@@ -75,7 +75,7 @@ TEST(AddedMassGuard, WithoutItAPushGrowsByTheRatioAWindow) {
     auto scene = free_block(Kind::rigid, scene::Integrator::shi);
     push(scene, push_m_per_s2 * mass);
     Solid solid(scene);
-    Water water(added(ratio * mass), Seen::velocities);
+    AnsweringWater water(added(ratio * mass), Seen::velocities);
     double exact = 0;
     for (int n = 0; n < 8; ++n) {
       const double before = solid.states()[0].velocity[0];
@@ -140,7 +140,7 @@ TEST(AddedMassGuard, LagrangeMultipliersGiveAMeshTheSameMotion) {
     push(scene, mass);
     Solid solid(scene);
     solid.settle({});
-    Water water(added(3 * mass), Seen::velocities);
+    AnsweringWater water(added(3 * mass), Seen::velocities);
     for (int n = 0; n < 30; ++n) {
       const auto panels = water.answer(solid);
       solid.advance(n * window_s, (n + 1) * window_s, panels, {added(3 * mass), Eigen::Matrix3d::Zero()});
@@ -178,7 +178,7 @@ TEST(AddedMassGuard, WhatRestsSleepsAndWakesToTheSameMotion) {
     scene.point_loads[0].force_x_n_per_m = {.time_s = {0, 0.5, 0.51}, .value = {0, 0, 9.81 * mass}};
     Solid solid(scene);
     solid.settle({});
-    Water water(added(3 * mass), Seen::velocities);
+    AnsweringWater water(added(3 * mass), Seen::velocities);
     for (int n = 0; n < 80; ++n) {
       const auto panels = water.answer(solid);
       solid.advance(n * window_s, (n + 1) * window_s, panels, {added(3 * mass), Eigen::Matrix3d::Zero()});
@@ -191,4 +191,4 @@ TEST(AddedMassGuard, WhatRestsSleepsAndWakesToTheSameMotion) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::added_mass_guard_test

@@ -6,7 +6,7 @@
 
 #include "tests/verification/swinging_wall.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::bending_in_reservoir_test {
 namespace {
 
 class BendingInReservoir : public testing::TestWithParam<Wall> {};
@@ -70,4 +70,4 @@ TEST(StrainInReservoir, AWallThatBeginsToSlideHasTheMomentumOfItsLoad) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::bending_in_reservoir_test

@@ -7,7 +7,7 @@
 
 #include "tests/verification/swinging_wall.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::bending_with_sound_test {
 namespace {
 
 constexpr double height = 40;
@@ -109,4 +109,4 @@ TEST(GroundBeforeSound, ShakesAWallAlikeInBothForms) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::bending_with_sound_test

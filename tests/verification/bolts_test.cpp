@@ -7,8 +7,9 @@
 #include <numbers>
 
 #include "solid/step/solid.hpp"
+#include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::bolts_test {
 namespace {
 
 constexpr double weight = 2500 * 9.81;  // of the block, 1 m2
@@ -23,12 +24,6 @@ scene::Scene hanging(const scene::Bolt& bolt) {
 
 scene::Bolt hanger() {
   return {.name = "bolt", .blocks = {0, -1}, .from_m = Point(0, 1), .to_m = Point(0, 3), .stiffness_n_per_m2 = 1e7};
-}
-
-void run(Solid& solid, double duration_s) {
-  const double dt = solid.scene().analysis.step_s;
-  const auto steps = std::lround(duration_s / dt);
-  for (long n = 0; n < steps; ++n) solid.advance(static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, {});
 }
 
 TEST(Bolts, ABlockHangsByItsWeightOverTheStiffness) {
@@ -174,4 +169,4 @@ TEST(Bolts, ABoltBetweenTwoBlocksPullsBoth) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::bolts_test

@@ -13,7 +13,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::bond_at_flat_corner_test {
 namespace {
 
 double factor_by_blocks(double slope, double beyond, double width, double height, double push_n, double friction_deg,
@@ -71,4 +71,4 @@ TEST(BondAtFlatCorner, HoldsAlongItsWholeFace) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::bond_at_flat_corner_test

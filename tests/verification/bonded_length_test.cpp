@@ -11,7 +11,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::bonded_length_test {
 namespace {
 
 nlohmann::json base_of(const std::string& bond, const std::string& mesh) {
@@ -60,4 +60,4 @@ TEST(BondedLength, IsNoCrackForTheWater) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::bonded_length_test

@@ -10,7 +10,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::bonds_in_turn_test {
 namespace {
 
 using nlohmann::json;
@@ -100,4 +100,4 @@ between = ["upstream rock", "wedge"]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::bonds_in_turn_test

@@ -10,7 +10,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::bonds_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -143,4 +143,4 @@ TEST_P(Bonds, AJointWithoutTensionStrengthOpensWhereTheHeelIsFree) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::bonds_test

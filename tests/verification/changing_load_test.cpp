@@ -8,7 +8,7 @@
 #include "solid/step/solid.hpp"
 #include "tests/large_scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::changing_load_test {
 namespace {
 
 /// Solutions a step of a dam whose water rises.
@@ -46,4 +46,4 @@ TEST(ChangingLoad, TakesFewSolutionsAStep) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::changing_load_test

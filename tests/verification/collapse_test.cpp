@@ -15,7 +15,7 @@
 #include "tests/collapse_scenes.hpp"
 #include "tests/overlap.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::collapse_test {
 namespace {
 
 scene::Scene random_collapse(unsigned seed) {
@@ -140,4 +140,4 @@ TEST(Collapse, SweepsTakeOverSoonWhereNewtonsMethodLeadsAway) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::collapse_test

@@ -11,7 +11,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::constraint_forces_test {
 namespace {
 
 constexpr double density = 2300;
@@ -154,4 +154,4 @@ INSTANTIATE_TEST_SUITE_P(Ways, ConstraintForces,
                          });
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::constraint_forces_test

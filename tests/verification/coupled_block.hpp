@@ -69,9 +69,9 @@ inline Eigen::Matrix3d added(double xx, double xr = 0, double rr = 0) {
 enum class Seen { velocities, positions };
 
 /// -M_a a of the window before, as pressures on the left face.
-class Water {
+class AnsweringWater {
  public:
-  Water(const Eigen::Matrix3d& inertia, Seen seen) : inertia_(inertia), seen_(seen) {}
+  AnsweringWater(const Eigen::Matrix3d& inertia, Seen seen) : inertia_(inertia), seen_(seen) {}
 
   std::vector<Panel> answer(const Solid& solid) {
     const BlockState& now = solid.states()[0];
@@ -110,7 +110,7 @@ struct Coupled {
 /// Displacement (u0, v0, r0) after each window.
 inline std::vector<Eigen::Vector3d> course(const Coupled& run, int windows) {
   Solid solid(run.scene);
-  Water water(run.inertia, run.seen);
+  AnsweringWater water(run.inertia, run.seen);
   std::vector<Eigen::Vector3d> places{Eigen::Vector3d::Zero()};
   for (int n = 0; n < windows; ++n) {
     const auto panels = water.answer(solid);

@@ -7,7 +7,7 @@
 
 #include "tests/unit/rubble.hpp"
 
-namespace blockweir::hydrostatic {
+namespace blockweir::hydrostatic::cracks_at_scale_test {
 namespace {
 
 /// Those of 3,000 blocks take less than those of a tenth as many take by all pairs.
@@ -23,4 +23,4 @@ TEST(CracksAtScale, OfThousandsOfJointsAreFoundAtOnce) {
 }
 
 }  // namespace
-}  // namespace blockweir::hydrostatic
+}  // namespace blockweir::hydrostatic::cracks_at_scale_test

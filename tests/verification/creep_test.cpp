@@ -8,7 +8,7 @@
 #include "solid/capacity/static_blocks.hpp"
 #include "solid/capacity/static_strength.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::creep_test {
 namespace {
 
 const char* const dam = R"(analysis = { duration_s = 1 }
@@ -50,4 +50,4 @@ TEST(Creep, StepsThatFindNoStatesAreNotTriedAgainAfterEachThatDoes) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::creep_test

@@ -14,7 +14,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::crossing_corners_test {
 namespace {
 
 using independent::Random;
@@ -183,4 +183,4 @@ TEST_F(CrossedSections, FailOnThePlaneWhateverCrossesIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::crossing_corners_test

@@ -9,7 +9,7 @@
 
 #include "solid/expect/point_figures.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::dam_stress_test {
 namespace {
 
 constexpr double height = 30;
@@ -225,4 +225,4 @@ TEST(DamStress, ConvergesToFiniteElementsOfSecondOrder) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::dam_stress_test

@@ -10,7 +10,7 @@
 #include "bridge/geometry/polygon.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::damping_test {
 namespace {
 
 /// Largest strain of a free bar under suddenly applied end forces, over the strain at rest.
@@ -62,4 +62,4 @@ TEST(Damping, AFallingBlockComesToItsTerminalSpeedUnderMassDamping) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::damping_test

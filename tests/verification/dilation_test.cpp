@@ -8,7 +8,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::dilation_test {
 namespace {
 
 constexpr double g = 9.81;
@@ -139,4 +139,4 @@ TEST(Dilation, ContactsThatAreHandedOnKeepTheSlipOfTheirJoint) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::dilation_test

@@ -12,7 +12,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::edge_tension_test {
 namespace {
 
 constexpr double strength_pa = 1e6;
@@ -114,4 +114,4 @@ TEST(EdgeTension, CohesionThatACrackDoesNotTakeIsNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::edge_tension_test

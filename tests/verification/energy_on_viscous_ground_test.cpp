@@ -9,7 +9,7 @@
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::energy_on_viscous_ground_test {
 namespace {
 
 /// A tower of two stones on ground that a record of 6 m/s2 shakes.
@@ -60,4 +60,4 @@ TEST(EnergyOnViscousGround, IsNotMadeWhereBlocksRock) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::energy_on_viscous_ground_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace blockweir::solid {
+namespace blockweir::solid::energy_test {
 namespace {
 
 scene::Scene one_block() {
@@ -145,4 +145,4 @@ TEST(Energy, WhatSupportsThatLeadGiveIsNotMadeOfNothing) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::energy_test

@@ -11,7 +11,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::failure_modes_test {
 namespace {
 
 /// A slender block on one of its corners, leaning beyond its balance by `beyond` of its slenderness.
@@ -122,4 +122,4 @@ TEST(FailureModes, ACrumbThatSlidesAloneIsSaidToFail) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::failure_modes_test

@@ -6,7 +6,7 @@
 #include "solid/watch/failure_watch.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::failure_rest_test {
 namespace {
 
 /// A block falls 0.2 m on to the ground; another, where it is there, falls beside it for ever.
@@ -41,4 +41,4 @@ TEST(FailureRest, IsThatOfAllThatFailed) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::failure_rest_test

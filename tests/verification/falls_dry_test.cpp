@@ -8,7 +8,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::falls_dry_test {
 namespace {
 
 /// Beds that dip by 5 degrees with a friction of 4.9: blocks that strain creep along them, without going far for long.
@@ -51,4 +51,4 @@ friction_angle_deg = 32
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::falls_dry_test

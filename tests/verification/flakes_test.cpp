@@ -13,7 +13,7 @@
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::flakes_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -72,4 +72,4 @@ TEST(Flakes, StandAsWhatTheyLieOnDoes) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::flakes_test

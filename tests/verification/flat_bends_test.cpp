@@ -8,7 +8,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::flat_bends_test {
 namespace {
 
 /// Points of a joint over the width, whose slope changes at each by up to the bend [rad].
@@ -72,4 +72,4 @@ TEST(FlatBends, ColumnsSettleOnThem) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::flat_bends_test

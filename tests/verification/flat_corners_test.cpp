@@ -12,7 +12,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::flat_corners_test {
 namespace {
 
 constexpr double dip = 0.14;  // tangent
@@ -109,4 +109,4 @@ TEST_P(FlatCorners, OfASurveyedBaseDoNotEither) {
 INSTANTIATE_TEST_SUITE_P(Laws, FlatCorners, testing::Values("", "keeps_cohesion = true"));
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::flat_corners_test

@@ -9,7 +9,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::free_impact_test {
 namespace {
 
 struct Momenta {
@@ -72,4 +72,4 @@ INSTANTIATE_TEST_SUITE_P(Integrators, FreeImpact,
                                          scene::Integrator::generalized_alpha));
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::free_impact_test

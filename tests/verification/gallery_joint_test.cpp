@@ -8,7 +8,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::gallery_joint_test {
 namespace {
 
 TEST(GalleryJoint, ItsVoidBearsNoStress) {
@@ -44,4 +44,4 @@ vertices_m = [[0, 0], [3, 0], [3, 2], [5, 2], [5, 0], [30, 0], [6, 36], [0, 36]]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::gallery_joint_test

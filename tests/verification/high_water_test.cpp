@@ -13,7 +13,7 @@
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::high_water_test {
 namespace {
 
 /// A parapet on a fixed wall, one or both pools above it.
@@ -60,4 +60,4 @@ vertices_m = [[0, 0], [{}, 0], [{}, {}], [0, {}]]
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::high_water_test

@@ -15,7 +15,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::impact_energy_test {
 namespace {
 
 constexpr std::array integrators = {scene::Integrator::shi, scene::Integrator::trapezoidal,
@@ -190,4 +190,4 @@ TEST(ImpactEnergy, RandomDropsMakeNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::impact_energy_test

@@ -10,7 +10,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::impact_friction_test {
 namespace {
 
 struct Landing {
@@ -67,4 +67,4 @@ TEST(ImpactFriction, OfABlockThatStrainsIsTheSame) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::impact_friction_test

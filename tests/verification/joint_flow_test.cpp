@@ -13,7 +13,7 @@
 #include "bridge/process/sides.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::joint_flow_test {
 namespace {
 
 constexpr double unit_weight = 9810;
@@ -132,4 +132,4 @@ TEST(JointFlow, MonolithsFailAtTheLevelThatTheirSeepageSays) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::joint_flow_test

@@ -9,7 +9,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::joint_parts_test {
 namespace {
 
 using nlohmann::json;
@@ -108,4 +108,4 @@ friction_angle_deg = 20
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::joint_parts_test

@@ -9,7 +9,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::jointed_rock_test {
 namespace {
 
 constexpr const char* dam_and_rock = R"(
@@ -112,4 +112,4 @@ TEST(JointedRock, ItsRedundantContactsSettleWithLagrangeMultipliers) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::jointed_rock_test

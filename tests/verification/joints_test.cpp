@@ -7,7 +7,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::joints_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -166,4 +166,4 @@ TEST_P(Joints, ABlockSlidesDownAnInclineAsTheFormulaSays) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::joints_test

@@ -12,7 +12,7 @@
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::keyed_bases_test {
 namespace {
 
 using nlohmann::json;
@@ -104,4 +104,4 @@ TEST(KeyedBases, TheReasonNamesTheLevelsThatDiffer) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::keyed_bases_test

@@ -9,7 +9,7 @@
 #include "tests/large_checks.hpp"
 #include "tests/large_scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::large_deformable_test {
 namespace {
 
 /// Bricks that widen under the weight above slip at their ends, hundreds of them, and each slip changes the normal
@@ -21,7 +21,7 @@ TEST(LargeDeformable, AWallOfDeformableBricksSettlesAndStandsWithFrictionAtItsBo
   solid.settle({});
   EXPECT_GE(solid.counts().lagged_steps, 1);
   for (int steps : {0, 3}) {
-    run(solid, steps);
+    run_steps(solid, steps);
     EXPECT_LT(worst_against_coulomb(solid, 0.6), 2e-10) << steps;
     EXPECT_LT(std::abs(reaction_error(solid)), 1e-7) << steps;
   }
@@ -35,9 +35,9 @@ TEST(LargeDeformable, AWallOfDeformableBricksThatStandsSolvesNextToNothing) {
   scene.analysis.sleep = false;
   Solid solid(scene);
   solid.settle({});
-  run(solid, 20);
+  run_steps(solid, 20);
   const long solved = solid.counts().iterations;
-  run(solid, 20);
+  run_steps(solid, 20);
   EXPECT_LT(solid.counts().iterations - solved, 10);  // two a step where round-off counts as motion
   EXPECT_LT(solid.largest_displacement_m(), 2e-5);
 }
@@ -113,4 +113,4 @@ TEST(LargeDeformable, AnInteriorPointThatIsOnlyComeNearToIsNotThrownAway) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::large_deformable_test

@@ -14,7 +14,7 @@
 #include "tests/large_checks.hpp"
 #include "tests/large_scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::large_test {
 namespace {
 
 /// Each block rests on two, at four points of two forces: contacts are many times more than motions.
@@ -25,7 +25,7 @@ TEST(Large, APyramidOfBase100SettlesAndStandsStill) {
   ASSERT_EQ(solid.blocks().size(), 5051U);
   solid.settle({});
   EXPECT_EQ(solid.counts().factorizations, 1);  // of many solutions
-  run(solid, 5);
+  run_steps(solid, 5);
   EXPECT_LT(solid.largest_displacement_m(), 1e-9);
   EXPECT_LT(std::abs(reaction_error(solid)), 1e-8);
 }
@@ -39,7 +39,7 @@ TEST(Large, AHighColumnThatStandsSolvesNothing) {
   Solid solid(scene);
   solid.settle({});
   const long solved = solid.counts().iterations;
-  run(solid, 20);
+  run_steps(solid, 20);
   EXPECT_EQ(solid.counts().iterations, solved);
   EXPECT_GE(solid.counts().skipped_searches, 18);
   EXPECT_LT(std::abs(reaction_error(solid)), 1e-8);
@@ -50,7 +50,7 @@ TEST(Large, ContactsThatAreNotSearchedAgainAreThoseThatASearchWouldFind) {
   scene.analysis.sleep = false;
   Solid solid(scene);
   solid.settle({});
-  run(solid, 10);
+  run_steps(solid, 10);
   EXPECT_GE(solid.counts().skipped_searches, 8);
   std::vector<ContactPoint> found = solid.contacts();
   const double reach = 0.05;  // of a block, as the solid's own
@@ -75,7 +75,7 @@ TEST(Large, ABlockThatHoversOverTheGroundWaitsAndThenFalls) {
   Solid solid(scene);
   solid.settle({});
   EXPECT_EQ(solid.states()[4].displacement[1], 0);
-  run(solid, 6);
+  run_steps(solid, 6);
   EXPECT_NEAR(solid.states()[4].displacement[1], -0.001, 1e-8);
 }
 
@@ -104,7 +104,7 @@ TEST(Large, ABlockThatCrossesAGapInAStepIsStoppedByWhatIsBehindIt) {
   add_block(scene, box(-1, 0, 1, 1));
   scene.blocks[1].initial_velocity_m_per_s = scene::Point(60, 0);
   Solid solid(scene);
-  run(solid, 1);
+  run_steps(solid, 1);
   EXPECT_NEAR(solid.states()[1].displacement[0], 0.15, 1e-8);
 }
 
@@ -114,7 +114,7 @@ TEST(Large, ASlopeStandsWithTheFrictionOfItsDipAndSlidesAsTheFormulaSaysWithLess
     auto scene = rock_slope(100, friction);
     Solid solid(scene);
     solid.settle({});
-    run(solid, 30);
+    run_steps(solid, 30);
     const double acceleration = std::max(0.0, 9.81 * (std::sin(dip) - friction * std::cos(dip)));
     EXPECT_NEAR(solid.states()[1].displacement.head<2>().norm(), acceleration * 0.5 * 0.5 / 2, 1e-6) << friction;
   }
@@ -181,7 +181,7 @@ std::vector<double> all_of_it(const scene::Scene& scene, int steps, std::size_t 
   set_threads(on_threads);
   Solid solid(scene);
   if (scene.analysis.start == scene::Start::equilibrium) solid.settle({});
-  run(solid, steps);
+  run_steps(solid, steps);
   set_threads(before);
   std::vector<double> all;
   for (const BlockState& s : solid.states()) {
@@ -219,4 +219,4 @@ TEST(Large, BlocksThatSlideAreTheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::large_test

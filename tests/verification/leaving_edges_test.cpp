@@ -12,7 +12,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::leaving_edges_test {
 namespace {
 
 constexpr double gravity = 9.81;
@@ -113,4 +113,4 @@ TEST(LeavingEdges, TheShorterTheStepTheNearer) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::leaving_edges_test

@@ -15,7 +15,7 @@
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::led_energy_test {
 namespace {
 
 std::string analysis(const std::string& integrator, double step_s, double duration_s) {
@@ -198,4 +198,4 @@ TEST_P(Led, ABlockThatTurnsOnAHingeMakesNoEnergy) {
 INSTANTIATE_TEST_SUITE_P(Integrators, Led, testing::Values("shi", "trapezoidal", "generalized-alpha"));
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::led_energy_test

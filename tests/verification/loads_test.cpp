@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "solid/step/solid.hpp"
+#include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::loads_test {
 namespace {
 
 /// A free block of 2 m x 1 m without gravity.
@@ -27,12 +28,6 @@ scene::LineLoad uniform_line(const Point& from, const Point& to, const Point& fo
         scene::TimeTable::constant(force[static_cast<Eigen::Index>(axis)]);
   }
   return load;
-}
-
-void run(Solid& solid, double duration_s) {
-  const double dt = solid.scene().analysis.step_s;
-  const auto steps = std::lround(duration_s / dt);
-  for (long n = 0; n < steps; ++n) solid.advance(static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, {});
 }
 
 TEST(Loads, ATriangularLineLoadPushesAndTurns) {
@@ -173,4 +168,4 @@ TEST(Loads, ARecordFinerThanTheStepIsNotSampled) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::loads_test

@@ -10,7 +10,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::margins_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -142,4 +142,4 @@ TEST(Margins, AreToldWhereACornerOfTheRockTouchesTheHeel) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::margins_test

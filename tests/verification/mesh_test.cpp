@@ -10,8 +10,9 @@
 #include "solid/step/solid.hpp"
 #include "solid/watch/make_frame.hpp"
 #include "solid/watch/stress_field.hpp"
+#include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::mesh_test {
 namespace {
 
 scene::Scene empty_scene() {
@@ -31,11 +32,6 @@ void add(scene::Scene& scene, std::vector<Point> vertices, double mesh_size_m = 
 void add_ground(scene::Scene& scene) {
   add(scene, {{-20, -2}, {20, -2}, {20, 0}, {-20, 0}});
   scene.blocks.back().fixed = true;
-}
-
-void run(Solid& solid, double duration_s) {
-  const double dt = solid.scene().analysis.step_s;
-  for (int n = 0; n < std::lround(duration_s / dt); ++n) solid.advance(n * dt, (n + 1) * dt, {});
 }
 
 TEST(Mesh, AnIncrementFollowsFromItsCorners) {
@@ -187,4 +183,4 @@ TEST(Mesh, ContactsCarryTheWeightAndShareTheJoint) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::mesh_test

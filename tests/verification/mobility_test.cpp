@@ -10,7 +10,7 @@
 #include "solid/watch/surfaces.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::mobility_test {
 namespace {
 
 void add_box(scene::Scene& scene, double x, double y, double width, double height, bool fixed = false) {
@@ -154,4 +154,4 @@ TEST(Surfaces, OfATowerAreAllItsJoints) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::mobility_test

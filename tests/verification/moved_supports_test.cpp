@@ -15,7 +15,7 @@
 #include "solid/watch/energy.hpp"
 #include "solid/watch/largest_strain.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::moved_supports_test {
 namespace {
 
 using testing::HasSubstr;
@@ -223,4 +223,4 @@ TEST(MovedSupports, OneThatLeapsIsNamedWhereTheRunStops) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::moved_supports_test

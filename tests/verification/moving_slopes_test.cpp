@@ -8,7 +8,7 @@
 #include "tests/verification/jointed_abutment.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::moving_slopes_test {
 namespace {
 
 scene::Scene slope(test::Random& random) {
@@ -30,4 +30,4 @@ TEST(MovingSlopes, FallNoFartherThanWeightTakesThem) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::moving_slopes_test

@@ -11,7 +11,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::process {
+namespace blockweir::process::natural_modes_test {
 namespace {
 
 using nlohmann::json;
@@ -170,4 +170,4 @@ TEST(NaturalModes, WhatDoesNotStandHasNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::natural_modes_test

@@ -16,7 +16,7 @@
 #include "solid/step/solid.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::notched_falls_test {
 namespace {
 
 using Shape = std::vector<Point>;
@@ -233,4 +233,4 @@ TEST(NotchedFalls, MoveNoBlockFartherInAStepThanBlocksAreFast) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::notched_falls_test

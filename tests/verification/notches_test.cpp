@@ -13,7 +13,7 @@
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::notches_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -89,4 +89,4 @@ TEST(Notches, WhatSlidesDownASlopeStandsOnTheFloorAtItsFoot) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::notches_test

@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace blockweir::solid {
+namespace blockweir::solid::overlap_projection_test {
 namespace {
 
 constexpr double tolerance_m = 1e-9;
@@ -82,4 +82,4 @@ TEST(OverlapProjection, RandomPilesHaveNoOverlapLeftAndNoLessMassIsMoved) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::overlap_projection_test

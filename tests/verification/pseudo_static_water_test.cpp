@@ -9,7 +9,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::process {
+namespace blockweir::process::pseudo_static_water_test {
 namespace {
 
 std::unique_ptr<schedule::FluidSide> make(const scene::Scene& scene, const std::filesystem::path& folder) {
@@ -83,4 +83,4 @@ TEST(PseudoStaticWater, StillWaterHasNoFiniteElementsOfIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::pseudo_static_water_test

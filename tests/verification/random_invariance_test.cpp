@@ -3,7 +3,7 @@
 // Structures drawn at random and told in another way: another order, a mirror image, another origin, another size.
 #include "tests/verification/random_trials.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::random_invariance_test {
 namespace {
 
 class RandomInvariance : public RandomTrials {};
@@ -71,4 +71,4 @@ TEST_F(RandomInvariance, ALaboratorysModelAndAMountainFailAlike) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::random_invariance_test

@@ -10,7 +10,7 @@
 #include "solid/capacity/static_level.hpp"
 #include "tests/verification/random_trials.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::random_levels_test {
 namespace {
 
 class RandomLevels : public RandomTrials {
@@ -125,4 +125,4 @@ TEST_F(RandomLevels, LimitAnalysisOfJointedDamsIsTheIndependentOne) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::random_levels_test

@@ -50,12 +50,12 @@ inline double stress_under(const RandomStructure& one) {
 }
 
 /// From 100 to 2e5 of the stress under the structure, where that is a modulus of concrete or rock.
-inline double random_modulus(Random& random, const RandomStructure& one) {
+inline double random_modulus(independent::Random& random, const RandomStructure& one) {
   const double stress = stress_under(one);
   return std::clamp(stress * random.between_orders(100, 2e5), 30e6, std::max(50e9, 100 * stress));
 }
 
-inline void choose_method(Random& random, const RandomStructure& one, Filling& filling) {
+inline void choose_method(independent::Random& random, const RandomStructure& one, Filling& filling) {
   filling.youngs_modulus_pa = random_modulus(random, one);
   filling.integrator = random.of(std::vector<std::string>{"shi", "trapezoidal", "generalized-alpha"});
   filling.formulation = random.of(std::vector<std::string>{"augmented-lagrangian", "lagrange-multiplier", "penalty"});
@@ -81,7 +81,7 @@ inline Trial filled(RandomStructure one, double from, double to, double windows)
 
 /// From below the level to above it, by 8e-5 of it in a window.
 inline Trial slowly(RandomStructure one, double windows = 1500) {
-  Random random(one.seed, one.kind + "slow");
+  independent::Random random(one.seed, one.kind + "slow");
   Trial trial = filled(std::move(one), 1 - 4e-5 * windows, 1 + 4e-5 * windows, windows);
   choose_method(random, trial.one, trial.filling);
   return trial;
@@ -89,7 +89,7 @@ inline Trial slowly(RandomStructure one, double windows = 1500) {
 
 /// 0.01 to 10 m/s for a height of 10 m; windows in which the level rises by a thousandth at most.
 inline Trial fast(RandomStructure one) {
-  Random random(one.seed, one.kind + "fast");
+  independent::Random random(one.seed, one.kind + "fast");
   Trial trial{.one = std::move(one)};
   const double at = trial.one.level_m;
   const double time = std::sqrt(trial.one.height_m / 10);
@@ -106,7 +106,7 @@ inline Trial fast(RandomStructure one) {
 }
 
 inline Trial held(RandomStructure one, const std::string& kind, double share) {
-  Random random(one.seed, one.kind + "held");
+  independent::Random random(one.seed, one.kind + "held");
   Trial trial = filled(std::move(one), share, share, 200);
   choose_method(random, trial.one, trial.filling);
   trial.filling.kind = kind;

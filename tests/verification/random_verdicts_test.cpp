@@ -5,7 +5,7 @@
 #include "tests/independent/limit_analysis.hpp"
 #include "tests/verification/random_trials.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::random_verdicts_test {
 namespace {
 
 class RandomVerdicts : public RandomTrials {};
@@ -181,4 +181,4 @@ TEST_F(RandomVerdicts, WhatIsOnTheMoveIsNotSaidToStand) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::random_verdicts_test

@@ -5,7 +5,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::refusals_test {
 namespace {
 
 TEST(Refusals, StatesThatDoNotSettleAreRefusedForThat) {
@@ -42,4 +42,4 @@ TEST(Refusals, ABlockFasterThanAnyStepAllowsIsRefusedForThat) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::refusals_test

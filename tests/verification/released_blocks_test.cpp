@@ -14,7 +14,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/jointed_abutment.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::released_blocks_test {
 namespace {
 
 constexpr double to_rad = std::numbers::pi / 180;
@@ -115,4 +115,4 @@ TEST(ReleasedBlocks, LeaveTheAnswerToLimitAnalysisWhereTheyHaveNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::released_blocks_test

@@ -7,7 +7,7 @@
 
 #include "tests/unit/reservoir_dam.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_mesh_follows_test {
 namespace {
 
 TEST(ReservoirFollows, WavesGoOnAsTheMeshFollowsTheBlocks) {
@@ -117,4 +117,4 @@ TEST(ReservoirFollows, AWavemakerDoesNotRaiseItsBasin) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_mesh_follows_test

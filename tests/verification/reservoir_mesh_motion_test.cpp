@@ -8,7 +8,7 @@
 
 #include "tests/unit/reservoir_dam.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_mesh_motion_test {
 namespace {
 
 double added_mass(const wire::Load& load) {
@@ -95,4 +95,4 @@ TEST(ReservoirMeshMotion, AFilmOfWaterHasNoMeshAndIsRestored) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_mesh_motion_test

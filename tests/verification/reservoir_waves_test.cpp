@@ -10,7 +10,7 @@
 #include "fluid/reservoir/added_mass.hpp"
 #include "tests/unit/reservoir_wall.hpp"
 
-namespace blockweir::reservoir {
+namespace blockweir::reservoir::reservoir_waves_test {
 namespace {
 
 constexpr double sound = 1440;
@@ -246,4 +246,4 @@ TEST(ReservoirWaves, WavesOnTheSurfaceLeave) {
 }
 
 }  // namespace
-}  // namespace blockweir::reservoir
+}  // namespace blockweir::reservoir::reservoir_waves_test

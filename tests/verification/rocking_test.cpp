@@ -11,7 +11,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::rocking_test {
 namespace {
 
 constexpr double gravity = 9.81;
@@ -127,4 +127,4 @@ TEST(Rocking, ABlockOverturnsWithoutAnImpactFromThatPulseOn) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::rocking_test

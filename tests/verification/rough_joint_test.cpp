@@ -16,7 +16,7 @@
 #include "solid/limit/limit_strength.hpp"
 #include "solid/step/solid.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::rough_joint_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -105,4 +105,4 @@ TEST(RoughJoint, AFormulaForAFrictionAngleIsRefused) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::rough_joint_test

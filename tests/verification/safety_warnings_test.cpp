@@ -12,7 +12,7 @@
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::safety_warnings_test {
 namespace {
 
 using nlohmann::json;
@@ -147,4 +147,4 @@ TEST(SafetyWarnings, WaterOnTheCrestIsSaidToBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::safety_warnings_test

@@ -11,7 +11,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "solid/answers/contradiction.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::safety_without_answer_test {
 namespace {
 
 using nlohmann::json;
@@ -182,4 +182,4 @@ joint = { friction_angle_deg = 20, uplift = "flow" }
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::safety_without_answer_test

@@ -15,7 +15,7 @@
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::sharp_corners_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -150,4 +150,4 @@ TEST(SharpCorners, ACornerInAKinkIsToldWithTheFactorWithoutIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::sharp_corners_test

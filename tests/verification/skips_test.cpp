@@ -10,7 +10,7 @@
 #include "tests/large_scenes.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::skips_test {
 namespace {
 
 /// Two stacks on one floor, far from each other; the left one stands, the right one is hit after 0.5 s.
@@ -217,4 +217,4 @@ TEST(Skips, RigidBlocksFailAtTheSameLoadAndSlideAsTheFormulaSaysAtAnyStep) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::skips_test

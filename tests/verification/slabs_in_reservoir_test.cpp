@@ -10,7 +10,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/verification/blocks_and_reservoir.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::slabs_in_reservoir_test {
 namespace {
 
 constexpr double depth_m = 10;
@@ -130,4 +130,4 @@ INSTANTIATE_TEST_SUITE_P(Schedules, SlabsInReservoir, testing::Values("serial", 
                          [](const auto& with) { return std::string(with.param); });
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::slabs_in_reservoir_test

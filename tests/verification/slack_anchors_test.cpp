@@ -16,7 +16,7 @@
 #include "tests/independent/random_structures.hpp"
 #include "tests/verification/campaign.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::slack_anchors_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -137,4 +137,4 @@ TEST(SlackAnchors, TheBodyIsNamedWhoseSlipsAddUpToAFailure) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::slack_anchors_test

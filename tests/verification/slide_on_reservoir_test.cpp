@@ -10,7 +10,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/verification/blocks_and_reservoir.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::slide_on_reservoir_test {
 namespace {
 
 constexpr double pulse_s = 0.4;
@@ -84,4 +84,4 @@ TEST(SlideOnReservoir, SlipsWithSecondOrderOnTheImprovedSchedule) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::slide_on_reservoir_test

@@ -9,7 +9,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::sliding_test {
 namespace {
 
 constexpr double water_n_per_m3 = 9810;
@@ -102,4 +102,4 @@ TEST(Sliding, ADamWithAMeshSlidesAsFar) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::sliding_test

@@ -11,7 +11,7 @@
 #include "solid/solve/sparse_solvers.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::solid_test {
 namespace {
 
 TEST(Solid, AThousandTurnsKeepAreaAndAngularMomentum) {
@@ -277,4 +277,4 @@ TEST(Solid, SparseAndDenseSolversGiveTheSameCorrection) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::solid_test

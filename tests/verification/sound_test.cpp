@@ -13,7 +13,7 @@
 #include "bridge/process/sides.hpp"
 #include "tests/own_folder.hpp"
 
-namespace blockweir::process {
+namespace blockweir::process::sound_test {
 namespace {
 
 constexpr double H = 100;
@@ -135,4 +135,4 @@ TEST_F(Sound, AWallOnASpringConvergesBySecondOrderToItsSwing) {
 }
 
 }  // namespace
-}  // namespace blockweir::process
+}  // namespace blockweir::process::sound_test

@@ -12,7 +12,7 @@
 #include "solid/step/solid.hpp"
 #include "tests/collapse_scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::standing_walls_test {
 namespace {
 
 struct Wall {
@@ -73,4 +73,4 @@ TEST(StandingWalls, DoNotMoveWhereLimitAnalysisLetsThemStand) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::standing_walls_test

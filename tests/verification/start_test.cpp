@@ -7,7 +7,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::start_test {
 namespace {
 
 /// Rows of bricks in a running bond, `across` in a row, all corners off by up to `off` of the whole structure's size.
@@ -167,4 +167,4 @@ TEST(Start, WhatMovesFromTheStartBeginsWhereTheSceneHasIt) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::start_test

@@ -8,7 +8,7 @@
 
 #include "solid/step/solid.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::static_test {
 namespace {
 
 scene::Scene empty_scene() {
@@ -135,4 +135,4 @@ TEST(NotFinite, NamesTheBlockTheTimeAndTheStep) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::static_test

@@ -12,7 +12,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/safety.hpp"
 
-namespace blockweir::test {
+namespace blockweir::test::strain_that_holds_test {
 namespace {
 
 using nlohmann::json;
@@ -67,4 +67,4 @@ TEST(StrainThatHolds, IsNotAskedForWhereEquilibriumDeterminesFriction) {
 }
 
 }  // namespace
-}  // namespace blockweir::test
+}  // namespace blockweir::test::strain_that_holds_test

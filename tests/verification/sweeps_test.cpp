@@ -7,7 +7,7 @@
 
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::sweeps_test {
 namespace {
 
 scene::Scene block_on_a_floor() {
@@ -53,4 +53,4 @@ TEST(Sweeps, StopsABlockThatFalls) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::sweeps_test

@@ -11,7 +11,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "tests/verification/blocks_and_reservoir.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::swept_in_reservoir_test {
 namespace {
 
 /// A dam of some rows on slippery rock, with a push on each. One solution is too few for Newton's method.
@@ -70,4 +70,4 @@ TEST(SweptInReservoir, BlocksSlideAsByNewtonsMethod) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::swept_in_reservoir_test

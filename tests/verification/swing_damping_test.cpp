@@ -9,7 +9,7 @@
 #include "bridge/scene/read/read.hpp"
 #include "solid/step/solid.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::swing_damping_test {
 namespace {
 
 constexpr double gravity = 9.81;
@@ -68,4 +68,4 @@ TEST(SwingDamping, OfTheTrapezoidalRuleIsNone) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::swing_damping_test

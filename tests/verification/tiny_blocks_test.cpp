@@ -9,7 +9,7 @@
 #include "tests/verification/campaign.hpp"
 #include "tests/verification/scenes.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::tiny_blocks_test {
 namespace {
 
 /// A tip on the corner of a block of soft rock, as wide as high.
@@ -53,4 +53,4 @@ TEST(TinyBlocks, StandOnACorner) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::tiny_blocks_test

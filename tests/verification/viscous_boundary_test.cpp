@@ -12,7 +12,7 @@
 #include "solid/step/solid.hpp"
 #include "solid/watch/energy.hpp"
 
-namespace blockweir::solid {
+namespace blockweir::solid::viscous_boundary_test {
 namespace {
 
 constexpr double E = 5.2e9;
@@ -253,4 +253,4 @@ TEST(ViscousBoundary, GroundThatBearsAWeightStaysAtRestAndComesBackToTheBit) {
 }
 
 }  // namespace
-}  // namespace blockweir::solid
+}  // namespace blockweir::solid::viscous_boundary_test
