@@ -69,7 +69,7 @@ std::optional<Eigen::VectorXd> solve_complementarity(const Eigen::MatrixXd& M, c
   if (q.size() == 0 || q.minCoeff(&worst) >= 0) return Eigen::VectorXd::Zero(q.size());
   Tableau tableau(M, q);
   Eigen::Index left = tableau.exchange(worst, tableau.artificial());
-  for (Eigen::Index pivots = 0; pivots < 20 * q.size(); ++pivots) {
+  for (Eigen::Index pivots = 0; pivots < 3 * q.size(); ++pivots) {
     const Eigen::Index entering = tableau.complement(left);
     const Eigen::Index row = tableau.first_to_vanish(entering);
     if (row < 0) return std::nullopt;

@@ -22,13 +22,16 @@ bool of_lower_pair(const ContactPoint& a, const ContactPoint& b) {
   return a.pair() < b.pair();
 }
 
-/// Length over which the edge from `vertex` towards `end` lies on the edge a + s t, 0 <= s <= length.
-double overlap(const Point& vertex, const Point& end, const Point& a, const Point& t, double length) {
+/// Length over which the edge from `vertex` towards `end` lies on the edge a + s t, 0 <= s <= length; none where it
+/// comes off that by more than `off_m`.
+double overlap(const Point& vertex, const Point& end, const Point& a, const Point& t, double length, double off_m) {
   const Point direction = (end - vertex).normalized();
-  if (std::abs(cross(direction, t)) > parallel_tolerance) return 0;
+  const double turned = std::abs(cross(direction, t));
+  if (turned > parallel_tolerance) return 0;
   const double s0 = t.dot(vertex - a);
   const double s1 = t.dot(end - a);
-  return std::max(0.0, std::min(std::max(s0, s1), length) - std::max(std::min(s0, s1), 0.0));
+  const double over = std::max(0.0, std::min(std::max(s0, s1), length) - std::max(std::min(s0, s1), 0.0));
+  return turned * over > off_m ? 0 : over;
 }
 
 }  // namespace
@@ -100,6 +103,7 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
   const auto& E = outlines_.of(edge_block);
   const Box& zone = pairs_.box(edge_block);
   const double opened = openings_.between(vertex_block, edge_block);
+  const double off_m = as_drawn_ ? 2 * outlines_.coincidence_m() : std::numeric_limits<double>::infinity();
   // Less deep, a vertex that slipped past an acute corner keeps its contact.
   const double deep = std::max(outlines_.coincidence_m(), 1e-3 * (zone.sizes().minCoeff() - pairs_.reach_m() -
                                                                   2 * openings_.largest_m(at(edge_block))));
@@ -139,7 +143,8 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       contact.gap = gap;
       contact.anchor = s / edge_length;
       contact.separation = gap * n;
-      contact.length = (overlap(V[v], before, a, t, edge_length) + overlap(V[v], after, a, t, edge_length)) / 2;
+      contact.length =
+          (overlap(V[v], before, a, t, edge_length, off_m) + overlap(V[v], after, a, t, edge_length, off_m)) / 2;
       // Two acute corners may meet where neither faces the other's edges; farther from these, they may pass. In a
       // notch nothing passes: the edge goes on in its wall, and what slides on that will meet it.
       const bool in_notch = beyond > 0 && reflex(E, s < 0 ? e : next(e, E.size()));

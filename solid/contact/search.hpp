@@ -36,9 +36,13 @@ class ContactSearch {
   /// search begins anew.
   [[nodiscard]] bool rounds_to(double rounding_m) { return outlines_.rounds_to(rounding_m); }
 
-  /// Corners that slide over each other do not catch on steps of up to `give_m`, by which blocks strain and contact
-  /// springs give way.
-  void passes_steps_of(double give_m) { outlines_.give_way_by(give_m); }
+  /// Until then blocks are as drawn, and only faces that touch lie on each other: others have no bond. From then on
+  /// those do that have turned a little; and corners that slide over each other do not catch on steps of up to
+  /// `give_m`, by which blocks strain and contact springs give way.
+  void begin_motion(double give_m) {
+    as_drawn_ = false;
+    outlines_.give_way_by(give_m);
+  }
 
   /// Did a step that moved a vertex so far stay within what was looked at? Two blocks may move towards each other. If
   /// not, the next search looks farther.
@@ -100,6 +104,7 @@ class ContactSearch {
   NearPairs pairs_;
   PassingCorners passing_{outlines_};
   FoundContacts found_;
+  bool as_drawn_ = true;
   std::vector<std::vector<int>> planes_;  ///< that each side lies on, by its law; empty where there are none
 };
 

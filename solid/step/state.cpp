@@ -70,7 +70,7 @@ State::State(Model& model)
   }
   bond_touching_contacts(model.laws);
   model.make_rigid(contacts);
-  search.passes_steps_of(model.give_under_weight_m);
+  search.begin_motion(model.give_under_weight_m);
 }
 
 void State::restore(const Standing& before) {

@@ -4,12 +4,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
+#include "tests/verification/campaign.hpp"
+#include "tests/verification/scenes.hpp"
 
 namespace blockweir::test::bonded_length_test {
 namespace {
@@ -57,6 +62,39 @@ TEST(BondedLength, IsNoCrackForTheWater) {
   }
   EXPECT_NEAR(uplift(bond + ", uplift = 'heads', piezometers_m = [[1.5, 4.5]], piezometers_level_m = 4.5"),
               9810 * 4.5 * (1.5 + 1.0 / 2), 1);
+}
+
+/// A wall whose face leaves the joint at a narrow angle, towards a thin toe or as a chamfer, at either end, or over
+/// rock that falls away: what does not touch has no bond.
+TEST(BondedLength, IsThatOfFacesThatTouch) {
+  const int scenes = test::campaign(60);
+  for (int seed = 1; seed <= scenes; ++seed) {
+    test::Random any(static_cast<unsigned>(seed));
+    const double size = any.over_decades(0.1, 100);
+    const double length = size * any.between(0.3, 1);
+    const double off = size * any.between(0.05, 0.5);  // along what does not touch
+    const double rise = off * std::tan(any.over_decades(1e-4, 0.2));
+    const double mirror = any.integer(0, 1) == 0 ? 1 : -1;
+    const bool rock_falls_away = any.integer(0, 2) == 0;
+    auto scene = solid::empty_scene();
+    scene.default_joint.cohesion_pa = 1e4;
+    const auto add = [&](std::vector<solid::Point> outline, bool fixed) {
+      for (std::size_t i = 0; i < outline.size(); ++i) outline[i].x() *= mirror;
+      if (mirror < 0) std::reverse(outline.begin(), outline.end());
+      solid::add(scene, std::move(outline), fixed);
+    };
+    if (rock_falls_away) {
+      add({{-size, -size}, {3 * size, -size}, {length + off, -rise}, {length, 0}, {-size, 0}}, true);
+      add({{0, 0}, {length + off, 0}, {length / 2, size}, {0, size}}, false);
+    } else {
+      add({{-size, -size}, {3 * size, -size}, {3 * size, 0}, {-size, 0}}, true);
+      add({{0, 0}, {length, 0}, {length + off, rise}, {length / 2, size}, {0, size}}, false);
+    }
+    const solid::Solid drawn(scene);
+    double bonded = 0;
+    for (const auto& c : drawn.contacts()) bonded += c.bond * c.bond_length;
+    EXPECT_NEAR(bonded / length, 1, 1e-6) << "seed " << seed << ", rise " << rise / off;
+  }
 }
 
 }  // namespace
