@@ -32,13 +32,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   if (s.is_free() && fly(s)) return Found::by_newton_after_sweeps;
   ++counts_.swept_islands;
   moves_m_ = state_.fastest_m_per_s() * trial_.dt;
-  const IslandContacts contacts = s.island_contacts();
-  formulation_->undo(contacts);
-  start_again(s);
-  {
-    const Temporarily swept(formulation_->settings().swept, true);
-    formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, contacts);
-  }
+  begin(s);
   const bool few = s.unknowns->total <= few_unknowns;
   const bool begins = !state_.whole_law.after_failure();
   const double closely = begins || few ? 1e-4 : 1;
@@ -117,6 +111,23 @@ double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
   return s.sweeps.take_nearest();
 }
 
+bool SweptEquilibrium::may_rest(IslandEquations& s) {
+  constexpr double at_rest = 1e-6;  // of a fall through the step: a failure's level would be as much too high
+  begin(s);
+  SweepRows rows(step_);
+  if (!linearize(s, rows, /*first_round=*/false) || !is_at_rest(s)) return false;
+  const std::vector<Matrix6> matrix = matrices(s);
+  return StandingForces(s.sweeps, *s.unknowns, matrix).found(s.residual, at_rest * trial_.fall_m());
+}
+
+void SweptEquilibrium::begin(IslandEquations& s) {
+  const IslandContacts contacts = s.island_contacts();
+  formulation_->undo(contacts);
+  start_again(s);
+  const Temporarily swept(formulation_->settings().swept, true);
+  formulation_->begin(trial_.at_start(), trial_.matrix, trial_.frozen, contacts);
+}
+
 /// The trial goes on as blocks move.
 void SweptEquilibrium::start_again(const IslandEquations& s) {
   for (const int block : s.island.blocks) {
@@ -179,11 +190,16 @@ bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
   });
 }
 
+std::vector<Matrix6> SweptEquilibrium::matrices(const IslandEquations& s) const {
+  std::vector<Matrix6> matrix;
+  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
+  return matrix;
+}
+
 /// Begins with forces by which nothing moves, if there are such. Sweeps would come to them only in the limit, and let
 /// the structure creep until then.
 void SweptEquilibrium::stand(IslandEquations& s) {
-  std::vector<Matrix6> matrix;
-  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
+  const std::vector<Matrix6> matrix = matrices(s);
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
   const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
   const bool rigid = s.unknowns->total == 3 * s.unknowns->blocks();

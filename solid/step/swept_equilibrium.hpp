@@ -3,6 +3,8 @@
 // is bounded; whenever they stop, forces are admissible and momentum balances.
 #pragma once
 
+#include <vector>
+
 #include "solid/step/island_equations.hpp"
 #include "solid/step/step_mode.hpp"
 #include "solid/step/sweep_rows.hpp"
@@ -16,14 +18,20 @@ class SweptEquilibrium : StepPart {
   /// By sweeps, or by Newton's method started from their result.
   Found find(IslandEquations& island, const StepMode& mode);
 
+  /// Are there forces by which rigid blocks that begin the step at rest in dry contacts stay there? The trial begins
+  /// anew.
+  bool may_rest(IslandEquations& island);
+
  private:
   bool fly(IslandEquations& island);
   [[nodiscard]] double most_of(const IslandEquations& island) const;
   double sweep(IslandEquations& island, int most, double enough_m);
   bool finish(IslandEquations& island, const StepMode& mode);
+  void begin(IslandEquations& island);
   void start_again(const IslandEquations& island);
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
   [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
+  [[nodiscard]] std::vector<Matrix6> matrices(const IslandEquations& island) const;
   void stand(IslandEquations& island);
   void take_forces(IslandEquations& island);
 

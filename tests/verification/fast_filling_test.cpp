@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// links: solid_answers fluid_hydrostatic bridge_scene_read
+// Walls of slender bricks under water that rises by metres in a second. Coulomb's law has more than one solution there:
+// what rests goes on resting as long as it can.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "bridge/process/answers.hpp"
+#include "bridge/scene/read/read.hpp"
+#include "bridge/statics/loads.hpp"
+#include "solid/capacity/still_water.hpp"
+#include "solid/limit/limit_level.hpp"
+#include "solid/watch/make_frame.hpp"
+#include "tests/verification/campaign.hpp"
+#include "tests/verification/scenes.hpp"
+
+namespace blockweir::solid::fast_filling_test {
+namespace {
+
+constexpr double height_m = 30;
+
+std::string block(const std::string& name, double left, double right, double from, double to) {
+  return fmt::format(R"([[block]]
+name = "{0}"
+material = "m"
+vertices_m = [[{1}, {3}], [{2}, {3}], [{2}, {4}], [{1}, {4}]]
+)",
+                     name, left, right, from, to);
+}
+
+/// Three rows, whose bricks are up to ten times as high as wide.
+std::string wall(test::Random& any) {
+  std::string text = fmt::format(R"(analysis = {{ duration_s = 1, rigid = "all" }}
+joint = {{ friction_angle_deg = {}, uplift = "none" }}
+water = {{ upstream_level_m = {} }}
+material.m = {{ youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = {} }}
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-100, -30], [100, -30], [100, 0], [-100, 0]]
+)",
+                                 any.between(18, 35), height_m, any.between(1900, 2600));
+  const double width = any.between(8, 11);
+  for (int row = 0; row < 3; ++row) {
+    double left = 0;
+    for (int brick = 0; left < width; ++brick) {
+      double right = left + any.between(1, 2);
+      if (right > width - 1) right = width;
+      text += block(fmt::format("b{}-{}", row, brick), left, right, row * height_m / 3, (row + 1) * height_m / 3);
+      left = right;
+    }
+  }
+  return text;
+}
+
+TEST(FastFilling, MovesNothingBelowTheLevelOfLimitAnalysis) {
+  constexpr double just_below = 0.98;
+  constexpr double rise_m_per_s = 8;
+  const int walls = test::campaign(12);
+  int failing = 0;
+  for (int seed = 1; seed <= walls; ++seed) {
+    test::Random any(static_cast<unsigned>(seed));
+    const scene::Scene scene = scene::read_text(wall(any), "wall.toml").scene;
+    StillWater water(scene, hydrostatic::make);
+    const auto forces = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
+    const limit::LimitLevel limit =
+        limit_level(limit::LimitAnalysis(scene), statics::weights_of(scene), forces, water.range());
+    if (limit.outcome != limit::Filled::fails) continue;
+    ++failing;
+    Solid solid(scene);
+    const double most_m = just_below * limit.level_m;
+    const double dt = scene.analysis.step_s;
+    const double start_m = 0.4 * most_m;
+    for (long n = 0; start_m + rise_m_per_s * static_cast<double>(n) * dt < most_m; ++n) {
+      const double t = static_cast<double>(n) * dt;
+      solid.advance(t, t + dt, panels_of(water.at(start_m + rise_m_per_s * t), solid));
+    }
+    EXPECT_LE(solid.largest_displacement_m(), 1e-6 * height_m) << "seed " << seed;
+  }
+  EXPECT_GE(failing, walls / 2);
+}
+
+}  // namespace
+}  // namespace blockweir::solid::fast_filling_test
