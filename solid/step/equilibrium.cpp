@@ -19,16 +19,16 @@ bool may_sweep(const StepWorkspace& step, const StepMode& mode) {
 
 namespace {
 
-/// Do rigid blocks move in the step that rested before it?
+/// Do rigid blocks move in the step that rested before it? Many: few move as the forces before have it.
 bool begins_to_move(const StepWorkspace& step, const IslandEquations& island) {
   constexpr double moving = 1e-6;   // of a fall through the step
-  constexpr double resting = 1e-4;  // as of what sweeps would see
+  constexpr double resting = 1e-3;  // what sweeps leave is less
   const auto& blocks = island.island.blocks;
   const bool rigid = island.unknowns->total == 3 * island.unknowns->blocks();
   const auto farther = [&](const Vector6& way, int block, double share) {
     return way.head<2>().norm() + step.model.blocks[at(block)].radius * std::abs(way[2]) > share * step.trial.fall_m();
   };
-  return rigid && blocks.size() > 1 &&
+  return rigid && island.unknowns->total > few_unknowns &&
          std::any_of(blocks.begin(), blocks.end(),
                      [&](int b) { return farther(step.trial.increment[at(b)], b, moving); }) &&
          std::none_of(blocks.begin(), blocks.end(),

@@ -175,14 +175,14 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
   return true;
 }
 
-/// Blocks in dry contacts that move by nothing that sweeps would see.
+/// Blocks in dry contacts that move by little more than what sweeps would leave.
 bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
   if (s.moves_as_one() || !s.island.supports.empty() || !s.bolts.empty()) return false;
   const auto& rows = s.sweeps.rows();
   if (!std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return StandingForces::is_dry(r.rule); })) {
     return false;
   }
-  const double still_m = enough_share * trial_.fall_m();
+  const double still_m = 10 * enough_share * trial_.fall_m();
   return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), [&](int block) {
     const Vector6& velocity = state_.blocks[at(block)].velocity;
     const double turning = velocity.tail<4>().cwiseAbs().sum() * model_.blocks[at(block)].radius;
