@@ -126,7 +126,11 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const double beyond = std::max(-s, s - edge_length);
       if (std::max({gap - opened, -gap, beyond}) > pairs_.reach_m()) continue;
       if (!faces(V, v, n, closing)) continue;
-      if (gap < -deep && !encloses(E, V[v])) continue;  // on the block's far side, not in it
+      // On the block's far side, not in it; a tip that may pass another can be out of that again beside the edge's end.
+      const auto has_passed = [&] {
+        return gap >= -outlines_.give_m() && pierces(V, v, E, e, outlines_.coincidence_m());
+      };
+      if (gap < -deep && !encloses(E, V[v]) && !has_passed()) continue;
       ContactPoint contact;
       contact.vertex_block = vertex_block;
       contact.vertex = static_cast<int>(v);

@@ -30,12 +30,11 @@ std::string penetration_warning(const expect::Outcome& outcome) {
   if (outcome.deepest_m() <= outcome.most_penetration_m()) return {};
   const scene::Scene& scene = outcome.solid.scene();
   const std::string shorter = fmt::format("shorten [analysis] step_s (now {:.3g})", scene.analysis.step_s);
-  const std::string remedy =
-      scene.contact.formulation == scene::ContactFormulation::penalty
-          ? "raise [contact] stiffness_n_per_m2, of the springs at contacts"
-      : scene.analysis.rigid == scene::Rigid::all
-          ? shorter
-          : shorter + ", or state rigid = \"all\" in [analysis]: blocks that strain a lot meet too late";
+  const std::string remedy = scene.contact.formulation == scene::ContactFormulation::penalty
+                                 ? "raise [contact] stiffness_n_per_m2, of the springs at contacts"
+                             : scene.analysis.rigid == scene::Rigid::all
+                                 ? shorter
+                                 : shorter + ", or state rigid = \"all\" in [analysis] where strains do not matter";
   return fmt::format(
       "blocks were in each other by up to {:.3g} m; expected at most {:.3g} m, 1e-4 of the model's size; {}",
       outcome.deepest_m(), outcome.most_penetration_m(), remedy);

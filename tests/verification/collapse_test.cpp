@@ -10,13 +10,14 @@
 #include <random>
 #include <string>
 
-#include "solid/step/solid.hpp"
-#include "solid/watch/energy.hpp"
 #include "tests/collapse_scenes.hpp"
-#include "tests/overlap.hpp"
+#include "tests/verification/watched_fall.hpp"
 
 namespace blockweir::solid::collapse_test {
 namespace {
+
+using test::Fall;
+using test::watched;
 
 scene::Scene random_collapse(unsigned seed) {
   constexpr double duration_s = 2;
@@ -30,36 +31,6 @@ scene::Scene random_collapse(unsigned seed) {
   const int columns = 2 + static_cast<int>(3 * share(random));
   const double brick_length_m = 0.6 + share(random);
   return test::collapse(test::wall(rows, columns, brick_length_m), duration_s, 10 + 20 * share(random), friction_deg);
-}
-
-struct Fall {
-  double made_over_dissipated = 0;  ///< of a wall that stands: over what a drop of all by a tenth of a metre would give
-  double overlap_m = 0;
-};
-
-Fall watched(const scene::Scene& scene) {
-  Solid solid(scene);
-  Fall fall;
-  const double first = energy_of(solid).total();
-  double last = first;
-  double made = 0;
-  const double dt = scene.analysis.step_s;
-  for (long n = 0; static_cast<double>(n) * dt < scene.analysis.duration_s; ++n) {
-    solid.advance(static_cast<double>(n) * dt, static_cast<double>(n + 1) * dt, {});
-    const double now = energy_of(solid).total();
-    made += std::max(0.0, now - last);
-    last = now;
-    std::vector<test::Outline> outlines;
-    for (std::size_t b = 0; b < solid.blocks().size(); ++b) {
-      test::Outline& outline = outlines.emplace_back();
-      for (const Point& X : solid.blocks()[b].vertices) outline.push_back(solid.placements()[b].position(X));
-    }
-    fall.overlap_m = std::max(fall.overlap_m, test::largest_overlap_m(outlines));
-  }
-  double weight = 0;
-  for (const Block& block : solid.blocks()) weight += block.fixed ? 0 : block.mass_per_m() * 9.81;
-  fall.made_over_dissipated = made / std::max(first - last + made, 0.1 * weight);
-  return fall;
 }
 
 /// BLOCKWEIR_CAMPAIGN=N: so many in place of a few.
