@@ -100,7 +100,9 @@ bool PassingCorners::note_entered(const std::vector<Placement>& placements, cons
   });
   if (presses_already) return false;
   // A vertex that has gone through an edge and out again beside its end has that end in one of its sides. Where the two
-  // are a contact, that holds what the step at hand has not closed yet.
+  // are a contact, that holds what the step at hand has not closed yet. What was in before, as corners of blocks that
+  // strain may be, is none of that: a face turned on its far end, and its near end sank in.
+  const bool was_in = c.gap < -2 * outlines_.coincidence_m();
   const auto side_holds_end = [&](const ContactPoint& other) {
     return other.vertex_block == c.edge_block && other.edge_block == c.vertex_block &&
            (other.vertex == c.edge || at(other.vertex) == next(at(c.edge), edges.size())) &&
@@ -108,7 +110,7 @@ bool PassingCorners::note_entered(const std::vector<Placement>& placements, cons
   };
   const bool through = !encloses(edges, vertices[at(c.vertex)]) &&
                        pierces(vertices, at(c.vertex), edges, at(c.edge), outlines_.coincidence_m());
-  if (through && std::any_of(contacts.begin(), contacts.end(), side_holds_end)) return false;
+  if (through && !was_in && std::any_of(contacts.begin(), contacts.end(), side_holds_end)) return false;
   const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
   const double gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
   if (left_m > 0 && gap >= -left_m) return false;
