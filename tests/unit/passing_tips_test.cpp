@@ -37,7 +37,7 @@ TEST(PassingTips, AreSeenInTheStepThatFollowsOneThatHasTakenThemPastEachOther) {
   };
   std::vector<ContactPoint> contacts;
   ContactSearch search(parts, laws, 1, 0.02, 0.1);
-  search.passes_steps_of(5.4e-4);
+  search.begin_motion(5.4e-4);
   search.update(placed(0, 0), contacts);
   EXPECT_TRUE(contacts.empty());
   EXPECT_FALSE(search.entered(placed(3.9e-4, -1.4e-4), contacts, 0)) << "by so much they may";
@@ -68,7 +68,7 @@ TEST(PassingTips, AreNotHeldByAContactAtTheOtherEndOfTheirFaces) {
   };
   std::vector<ContactPoint> contacts;
   ContactSearch search(parts, laws, 1, 0.02, 0.1);
-  search.passes_steps_of(4.6e-3);
+  search.begin_motion(4.6e-3);
   search.update(turned(0, 0), contacts);
   EXPECT_TRUE(std::any_of(contacts.begin(), contacts.end(), [](const ContactPoint& c) {
     return c.vertex_block == 0 && c.vertex == 3;
