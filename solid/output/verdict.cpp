@@ -10,6 +10,8 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/constant_loads.hpp"
 #include "bridge/scene/loose_blocks.hpp"
+#include "solid/output/block_names.hpp"
+#include "solid/output/breach.hpp"
 #include "solid/output/level_doubt.hpp"
 #include "solid/output/rest_text.hpp"
 #include "solid/watch/joint_name.hpp"
@@ -20,20 +22,9 @@ namespace {
 
 using nlohmann::json;
 
-/// "block "a"", "blocks "a" and "b"", and so on; of many the first few.
-std::string named(const Solid& solid, const std::vector<int>& blocks) {
-  constexpr std::size_t most = 4;
-  const auto name = [&](std::size_t i) { return fmt::format("\"{}\"", solid.blocks()[at(blocks[i])].name); };
-  if (blocks.size() == 1) return "block " + name(0);
-  std::string text = "blocks " + name(0);
-  const std::size_t shown = std::min(most, blocks.size());
-  for (std::size_t i = 1; i < shown; ++i) text += (i + 1 == blocks.size() ? " and " : ", ") + name(i);
-  return shown == blocks.size() ? text : fmt::format("{} and {} more", text, blocks.size() - shown);
-}
-
 std::string failure_text(const Solid& solid, const Failure& f) {
   const bool one = f.blocks.size() == 1;
-  std::string text = fmt::format("{} {} by {}", named(solid, f.blocks), one ? "fails" : "fail together", f.mode);
+  std::string text = fmt::format("{} {} by {}", block_names(solid, f.blocks), one ? "fails" : "fail together", f.mode);
   // As limit analysis says it: on what bears, and what opens.
   if (!f.turns_on.empty()) return text + fmt::format(" on joint \"{}\"; joint \"{}\" opens", f.turns_on, f.joint);
   const bool leaves = f.mode == "lifting" || f.mode == "falling";
@@ -51,6 +42,7 @@ json failure(const expect::Outcome& o) {
   const Failure& first = o.failure.failures().front();
   json names = json::array();
   for (const Failure& f : o.failure.failures()) {
+    if (is_after_breach(o, f)) continue;  // the breach tells of it
     for (const int block : f.blocks) names.push_back(o.solid.blocks()[at(block)].name);
   }
   // NaN (no pool) becomes null.
@@ -79,12 +71,12 @@ json failure(const expect::Outcome& o) {
         is_small ? ": if that is acceptable, state a larger failure_displacement_m" : "");
   }
   constexpr double far_ratio = 10;  // of the structure: no ground is there
-  if (const double farthest_m = o.failure.farthest_failed_m();
+  if (const double farthest_m = ends_still_water(o) ? o.breach->farthest_failed_m : o.failure.farthest_failed_m();
       farthest_m > far_ratio * o.solid.size_m() && !o.failure.rests_again()) {
     text += fmt::format(
-        "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn when the run ended: "
+        "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn {}: "
         "stop_at_failure = true, or a shorter duration_s, ends it sooner",
-        text.empty() ? "" : "; ", farthest_m);
+        text.empty() ? "" : "; ", farthest_m, ends_still_water(o) ? "at the breach" : "when the run ended");
   }
   if (!o.failure.failed()) {
     text += fmt::format("{}only crumbs of the drawing have failed: nothing else moves", text.empty() ? "" : "; ");
@@ -225,28 +217,6 @@ void add_rest(const expect::Outcome& outcome, json& text) {
     text["outcome"] = "stopped";
     text["stopped"] = text["rest"]["text"];
   }
-}
-
-double drawn_crest_m(const scene::Scene& scene) {
-  Eigen::AlignedBox2d all;
-  for (const scene::Block& block : scene.blocks) {
-    for (const scene::Point& p : block.vertices) all.extend(p);
-  }
-  return all.max().y();
-}
-
-void add_breach(const expect::Outcome& outcome, json& text) {
-  if (!outcome.breach) return;
-  const auto& [time_s, level_m, crest_m] = *outcome.breach;
-  std::string how = "open water passes the structure";
-  if (level_m > crest_m && level_m <= drawn_crest_m(outcome.solid.scene())) {
-    how =
-        fmt::format("water at a level of {:.4g} m flows over the crest, which has sunk to {:.4g} m", level_m, crest_m);
-  }
-  if (outcome.solid.scene().fluid != scene::FluidModel::openfoam) {
-    how += "; from then on water would flow, and the pressures of still water no longer apply";
-  }
-  text["breach"] = {{"time_s", time_s}, {"crest_m", crest_m}, {"text", how}};
 }
 
 /// Where the loose blocks are at the run's end: the ground may have ended below them.

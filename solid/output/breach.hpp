@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a summary says of a breach: how the water passed, and what moved only afterwards. Still water that has been let
+// through would flow: what its pressures move from then on is no failure of the structure.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "solid/expect/quantities.hpp"
+
+namespace blockweir::solid::output {
+
+/// Whether pressures of still water have outlived it: from the breach on they are not those of the water.
+bool ends_still_water(const expect::Outcome& outcome);
+
+/// Whether this failure began only after such a breach, one that another failure had made.
+bool is_after_breach(const expect::Outcome& outcome, const Failure& failure);
+
+void add_breach(const expect::Outcome& outcome, nlohmann::json& text);
+
+}  // namespace blockweir::solid::output
