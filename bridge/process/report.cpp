@@ -28,10 +28,12 @@ std::string failure_text(const json& f, const char* word) {
     const std::string pool = falls                  ? fmt::format(" ({} pool, falling)", name)
                              : name == "downstream" ? " (downstream pool)"
                                                     : "";
-    const std::string head = f["head_m"].is_number() ? fmt::format(", {:.6g} m {} the joint that failed",
-                                                                   std::abs(f["head_m"].get<double>()),
-                                                                   f["head_m"].get<double>() < 0 ? "below" : "above")
-                                                     : "";
+    // The text names two joints where one opens and another bears: the head is over the first.
+    const char* joint = f.value("turns_on", "").empty() ? "failed" : "opens";
+    const std::string head = f["head_m"].is_number()
+                                 ? fmt::format(", {:.6g} m {} the joint that {}", std::abs(f["head_m"].get<double>()),
+                                               f["head_m"].get<double>() < 0 ? "below" : "above", joint)
+                                 : "";
     text += fmt::format("        at a level of {}{} m{}{}, after {} s\n",
                         !f.value("level_is_bound", false) ? ""
                         : falls                           ? "at least "

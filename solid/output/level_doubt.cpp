@@ -60,7 +60,7 @@ std::string level_doubt(const scene::Scene& scene, const Failure& f) {
                        f.level_uncertainty_m, f.falls ? "fall" : "rise", f.falls ? "empty" : "fill");
   }
   if (scene.base_motion) return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
-  return fmt::format("this level depends on the speed of {}: while the structure is shaken it is good to {:.2g} m; {}",
+  return fmt::format("this level depends on the speed of {}, and is good to {:.2g} m; {}",
                      f.falls ? "emptying" : "filling", f.level_uncertainty_m, at_rest_text(f));
 }
 

@@ -35,10 +35,9 @@ Failure slides(bool bound) {
 }
 
 TEST(LevelDoubt, OfAFillingNamesTheCommandThatFindsTheStaticLevel) {
-  EXPECT_EQ(
-      level_doubt(filled(rises), slides(false)),
-      "this level depends on the speed of filling: while the structure is shaken it is good to 0.2 m; \"blockweir "
-      "level SCENE\" finds the static level");
+  EXPECT_EQ(level_doubt(filled(rises), slides(false)),
+            "this level depends on the speed of filling, and is good to 0.2 m; \"blockweir level SCENE\" finds the "
+            "static level");
 }
 
 TEST(LevelDoubt, OfAConstantLevelIsNotOfTheSpeedOfFilling) {

@@ -39,6 +39,21 @@ TEST(RunReport, ALevelUnderTheJointThatFailedIsBelowIt) {
                                              HasSubstr(R"("blockweir profile 'it'\''s so'" lists them)")));
 }
 
+/// The level is the head over the joint that opens, not over the one that bears.
+TEST(RunReport, AHeadIsOverTheJointThatOpensWhereAnotherBears) {
+  RunResult result{.exit_code = 0, .folder = "f"};
+  result.summary = {{"outcome", "fails"},
+                    {"wall_time_s", 1},
+                    {"failure",
+                     {{"text", "block fails by overturning on joint \"toe\"; joint \"heel\" opens"},
+                      {"joint", "heel"},
+                      {"turns_on", "toe"},
+                      {"level_m", 2.9},
+                      {"head_m", 2.65},
+                      {"time_s", 3}}}};
+  EXPECT_THAT(report(result), HasSubstr("at a level of 2.9 m, 2.65 m above the joint that opens, after 3 s"));
+}
+
 /// As of `report SCENE --out FILE` where nothing else can be written: nobody could open what the lines name.
 TEST(RunReport, AFolderThatIsRemovedAfterwardsIsNotNamed) {
   RunResult result{.exit_code = 1, .folder = "temporary", .kept = false, .advice = "\"blockweir resume temporary\""};
