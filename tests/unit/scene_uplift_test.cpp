@@ -61,20 +61,36 @@ TEST(SceneUplift, HalfADrainOrNoneIsRefused) {
   expect_error(crack("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = 60"), 32, {"a number from 0 to 1"});
 }
 
-/// A load case cannot leave out what the file says, and it says what it can do.
-TEST(SceneUplift, AnotherLawOfALoadCaseThatMeetsADrainNamesTheDrainsEfficiency) {
+/// A load case cannot leave out what the file says: what if the drains were not there?
+TEST(SceneUplift, AnotherLawOfALoadCaseGoesWithoutTheDrainsAndPiezometersOfTheFile) {
+  using testing::HasSubstr;
   const std::string drained = crack("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = 0.5");
-  const auto found = sample::errors(drained, {"joints.crack.uplift=triangular"});
-  ASSERT_THAT(found, testing::SizeIs(1));
-  EXPECT_THAT(found[0], testing::HasSubstr("set drain_efficiency=0 in place of uplift"));
+  const std::string known = crack("uplift = 'heads'\npiezometers_m = [[1, 2.8]]\npiezometers_level_m = 3");
+  for (const std::string law : {"none", "full", "triangular"}) {
+    for (const auto& [file, keys] : {std::pair(drained, "drain_m and drain_efficiency"),
+                                     std::pair(known, "piezometers_m and piezometers_level_m")}) {
+      const Scene read = read_text(file, "s.toml", {"joints.crack.uplift=" + law}).scene;
+      const Scene plain = read_text(crack("uplift = '" + law + "'"), "s.toml").scene;
+      EXPECT_EQ(read.joints[0].law.uplift, plain.joints[0].law.uplift);
+      EXPECT_EQ(read.joints[0].law.known_heads, plain.joints[0].law.known_heads);
+      EXPECT_THAT(testing::PrintToString(read.warnings),
+                  HasSubstr(keys + std::string(" in [[joints]] \\\"crack\\\" have no effect: its uplift is set to")));
+      // A run's folder holds the scene with what was set: it can be run again.
+      EXPECT_EQ(read_text(read.text, "s.toml").scene.joints[0].law.known_heads, plain.joints[0].law.known_heads);
+    }
+  }
   EXPECT_THAT(sample::errors(drained, {"joints.crack.drain_efficiency=0"}), testing::IsEmpty());
   const auto idle = sample::errors(crack("uplift = 'triangular'"), {"joints.crack.drain_efficiency=0"});
   ASSERT_THAT(idle, testing::SizeIs(1));
   EXPECT_THAT(idle[0], testing::HasSubstr("state that law, or leave drain_efficiency out"));
-  const std::string known = crack("uplift = 'heads'\npiezometers_m = [[1, 2.8]]\npiezometers_level_m = 3");
-  const auto heads = sample::errors(known, {"joints.crack.uplift=full"});
-  ASSERT_THAT(heads, testing::SizeIs(1));
-  EXPECT_THAT(heads[0], testing::HasSubstr("set them with uplift=heads in the load cases that need them"));
+}
+
+/// A cut with a drain of its own follows the law of [joint], which is set.
+TEST(SceneUplift, ADrainThatFollowsALawThatIsSetHasNoEffect) {
+  const std::string own = crack("drain_m = 1\ndrain_efficiency = 0.5");
+  EXPECT_THAT(sample::errors(own, {}), testing::SizeIs(1));
+  EXPECT_THAT(sample::errors(own, {"joint.uplift=drained"}), testing::IsEmpty());
+  EXPECT_THAT(sample::errors(own, {"joint.uplift=full"}), testing::IsEmpty());
 }
 
 TEST(SceneUplift, PiezometersNeedTheirLevelAndRisingStations) {

@@ -14,6 +14,7 @@
 #include "bridge/scene/read/digest.hpp"
 #include "bridge/scene/read/encoding.hpp"
 #include "bridge/scene/read/entry.hpp"
+#include "bridge/scene/read/idle_uplift.hpp"
 #include "bridge/scene/read/key_depth.hpp"
 #include "bridge/scene/read/magnitudes.hpp"
 #include "bridge/scene/read/nearest.hpp"
@@ -168,7 +169,10 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   Scene& scene = result.scene;
   scene.file = name;
   scene.text = text;
-  if (!overrides.empty()) apply_overrides(file, overrides, problems);
+  if (!overrides.empty()) {
+    apply_overrides(file, overrides, problems);
+    leave_out_idle_uplift(file, problems);
+  }
   const std::size_t before = problems.count();
   const auto folder = std::filesystem::path(name).parent_path();
   const bool drawn = take_drawing(file, folder, problems);

@@ -65,27 +65,20 @@ void read_piezometers(TableReader& table, Reading& reading, KnownHeads& known) {
                          "add the other key");
 }
 
-/// Of keys that the law does not take. A load case, or --set, that changes the law cannot leave out what the file says.
+/// Of keys that the law does not take.
 void refuse_idle(TableReader& table, Reading& reading, const JointLaw& law) {
-  const bool law_is_set = table.has("uplift") && table.place("uplift").line == 0;
-  const auto refuse_first = [&](std::initializer_list<const char*> keys, const char* laws, const char* instead) {
+  const auto refuse_first = [&](std::initializer_list<const char*> keys, const char* laws) {
     const auto key = std::find_if(keys.begin(), keys.end(), [&](const char* k) { return table.has(k); });
     if (key == keys.end()) return;
     reading.problems.error(
         table.place(*key),
         fmt::format("{} in {} has no effect: its uplift is \"{}\"", *key, table.name(), named(law.uplift).name),
-        fmt::format("uplift = {}", laws),
-        law_is_set && table.place(*key).line > 0 ? instead : fmt::format("state that law, or leave {} out", *key));
+        fmt::format("uplift = {}", laws), fmt::format("state that law, or leave {} out", *key));
   };
   if (!takes_drains(law.uplift)) {
-    refuse_first({"drain_m", "drain_efficiency", "drain_head_m"}, "\"drained\" or \"cracked\"",
-                 "set drain_efficiency=0 in place of uplift: without a drain that works both are linear");
+    refuse_first({"drain_m", "drain_efficiency", "drain_head_m"}, "\"drained\" or \"cracked\"");
   }
-  if (law.uplift != Uplift::heads) {
-    refuse_first(
-        {"piezometers_m", "piezometers_level_m"}, "\"heads\"",
-        "take the piezometers out of the file, and set them with uplift=heads in the load cases that need them");
-  }
+  if (law.uplift != Uplift::heads) refuse_first({"piezometers_m", "piezometers_level_m"}, "\"heads\"");
 }
 
 void require(TableReader& table, Reading& reading, const JointLaw& law) {
