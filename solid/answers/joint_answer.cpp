@@ -111,15 +111,15 @@ json parts_json(const std::vector<JointPart>& parts) {
 }
 
 /// What the joints of blocks at rest bear, with strength divided by `reduction`.
-void add_forces(Situation& now, const std::vector<WaterPart>& parts, const Solid& blocks, const wire::Load& water,
-                double reduction, json& answer) {
+void add_forces(const std::vector<WaterPart>& parts, const Solid& blocks, const wire::Load& water, double reduction,
+                json& answer) {
   std::vector<JointRow> table = joint_table(blocks, water, parts);
   take_stated_strength(reduction, table);
   answer["joints"] = table_json(table);
   answer["joint_parts"] = parts_json(joint_parts_of(blocks, water, reduction, answer));
   answer["bent_joints"] = bent_joints(blocks);
   answer["bolts"] = bolts_json(blocks);
-  for (std::string& warning : uplift_warnings(blocks.scene(), now.level_m, table))
+  for (std::string& warning : uplift_warnings(blocks.scene(), water, table))
     answer["warnings"].push_back(std::move(warning));
 }
 
@@ -137,7 +137,7 @@ void add_joints(Situation& now, const process::FluidMaker& make_fluid, const Sta
     if (!at_rest) return;
     const auto parts = now.water ? additional_water_loads(scene, make_fluid, now.level_m) : std::vector<WaterPart>{};
     const wire::Load water = blocks.pressures(now.level_m);
-    add_forces(now, parts, blocks.solid(), water, reduction, answer);
+    add_forces(parts, blocks.solid(), water, reduction, answer);
     if (!stands) answer["joints_with_strength_times"] = 1 / reduction;
     if (stands) add_cracked_joints(blocks.solid(), now, answer);
   };

@@ -52,9 +52,17 @@ std::optional<Uplift> law_of(const scene::Scene& scene, const std::vector<Crack>
   return std::nullopt;
 }
 
+/// Whether water stands at the end that opens, the one farther from the resultant: else there is air in the crack.
+bool reaches_the_mouth(const wire::Load& water, const JointRow& row) {
+  const bool at_heel = row.resultant_from_downstream < 0.5;
+  return at_heel ? row.upstream_end_m.y() < water.upstream_level_m
+                 : row.downstream_end_m.y() < water.downstream_level_m;
+}
+
 }  // namespace
 
-std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level_m, const std::vector<JointRow>& rows) {
+std::vector<std::string> uplift_warnings(const scene::Scene& scene, const wire::Load& water,
+                                         const std::vector<JointRow>& rows) {
   constexpr double seen = 1e-2;
   std::vector<std::string> warnings;
   const std::vector<Crack> cracks = scene::find_cracks(scene);
@@ -62,8 +70,7 @@ std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level
     if (row.cracked_length_m <= seen * row.faces_length_m) continue;
     const auto law = law_of(scene, cracks, row);
     const char* makes = law ? makes_of_a_crack(*law) : nullptr;
-    const bool is_wet = law == Uplift::none ? row.upstream_end_m.y() < level_m : row.uplift_n_per_m > 0;
-    if (makes == nullptr || !is_wet) continue;
+    if (makes == nullptr || !reaches_the_mouth(water, row)) continue;
     warnings.push_back(
         fmt::format("joint \"{}\" is in tension over {:.3g} % of its length, by the gravity method, and uplift = "
                     "\"{}\" {}; water in a crack has the full pressure of its mouth: state uplift = \"cracked\"",

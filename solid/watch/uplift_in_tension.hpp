@@ -7,8 +7,8 @@
 namespace blockweir::solid {
 
 /// A warning for each row in tension over more than 1 % of its length whose uplift does not follow the crack:
-/// with "drained", "triangular" and "flow", and with "none" if its upstream end is below `level_m` (NaN without
-/// water).
-std::vector<std::string> uplift_warnings(const scene::Scene& scene, double level_m, const std::vector<JointRow>& rows);
+/// "drained", "triangular", "flow" and "none", if the end that opens lies below the level that `water` has there.
+std::vector<std::string> uplift_warnings(const scene::Scene& scene, const wire::Load& water,
+                                         const std::vector<JointRow>& rows);
 
 }  // namespace blockweir::solid

@@ -119,6 +119,20 @@ TEST(SafetyWarnings, ACrackThatTheUpliftDoesNotFollowIsTold) {
               Not(HasSubstr("in tension")));
 }
 
+/// An anchor at the heel turns the wall upstream: its toe opens, and there is air.
+TEST(SafetyWarnings, ACrackWhoseMouthIsDryIsNotTold) {
+  const std::string outline = "[0, 0], [7, 0], [1.5, 10], [0, 10]";
+  const std::string anchor =
+      "[[bolt]]\nname = \"a\"\nfrom_block = \"wall\"\nfrom_m = [0.7, 10]\nto_m = [0.7, -12]\n"
+      "youngs_modulus_pa = 2e11\narea_m2_per_m = 1e-3\nprestress_n_per_m = 8e5\n";
+  for (const char* law : {"none", "triangular"}) {
+    const auto joint = fmt::format("friction_angle_deg = 35, uplift = \"{}\"", law);
+    const json dry = safety_of(outline, joint, 0.5, anchor);
+    EXPECT_GT(dry["joints"][0]["cracked_length_m"].get<double>(), 1);
+    EXPECT_THAT(warnings(dry), Not(HasSubstr("in tension"))) << law;
+  }
+}
+
 TEST(SafetyWarnings, AnchorsThatStretchAsBlocksMoveAreTold) {
   const std::string outline = "[0, 0], [7, 0], [2, 9], [0, 9]";
   const std::string anchor = R"([[bolt]]
