@@ -248,12 +248,25 @@ joints::Joint HydrostaticModel::opened(std::size_t crack, const joints::Joint& j
   return joints::opened(cracks_[crack].law, cracks_[crack].known, joint, parted_.at(crack).thrust(loads));
 }
 
+bool HydrostaticModel::stands_as_drawn() const {
+  const Point ground_m = ground_displacement();
+  for (std::size_t b = 0; b < structure_.outlines.size(); ++b) {
+    const auto& drawn = scene_.blocks[b].vertices;
+    for (std::size_t v = 0; v < drawn.size(); ++v) {
+      const Point moved = structure_.outlines[b][v] - drawn[v] - ground_m;
+      if (moved.norm() > scene_.water.open_crack_width_m) return false;
+    }
+  }
+  return true;
+}
+
 void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load) {
   load.cracks_from = static_cast<std::uint32_t>(load.block.size());
   if (cracks_.empty()) return;
   const std::vector<WetInterval> open_water = wet_intervals(open);
   const statics::Wrenches forces = parted_.empty() ? statics::Wrenches() : statics::water_forces(scene_, load);
   const Point ground_m = ground_displacement();
+  const bool as_drawn = stands_as_drawn();
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     const scene::Crack& crack = cracks_[k];
     const auto end_of = [&](bool upstream, const scene::CrackPart& part, const Point& outline_point) {
@@ -263,13 +276,7 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
       const double side_m = (upstream ? last_upstream_m_ : last_downstream_m_) + ground_m.y();
       const double level_m = crack_pools_.level(k, upstream, place, side_m, open, structure_.outlines).value_or(side_m);
       const double pressure_pa = scene::in_joints(scene_, level_m).pressure(place.y());
-      const auto has_moved = [&](int block) {
-        const Point now = wire::place(centroids_[at(block)], last_motion_.displacement[at(block)], outline_point);
-        return (now - outline_point - ground_m).norm() > scene_.water.open_crack_width_m;
-      };
-      if (!has_moved(part.block_a) && !has_moved(part.block_b)) {
-        crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
-      }
+      if (as_drawn) crack_ends_.look(k, {upstream, place, pressure_pa}, structure_.outlines, open_water);
       return joints::End{pressure_pa, place.y()};
     };
     joints::Joint joint{.mouth = end_of(true, crack.parts.front(), crack.mouth()),

@@ -56,6 +56,9 @@ class HydrostaticModel final : public schedule::FluidSide {
   void press(double to_s, bool moved, Flow flow, wire::Load& load);
   void place(const wire::Motion& motion);
   void add_body(const WaterBody& body, wire::Load& load);
+  /// Whether no block has moved, but with the ground: what has slid or fallen shuts ends of cracks off from their
+  /// water.
+  [[nodiscard]] bool stands_as_drawn() const;
   void add_cracks(const std::vector<WaterBody>& open, double to_s, wire::Load& load);
   /// The same joint with the open length that its crack's law gives under these forces of open water.
   [[nodiscard]] joints::Joint opened(std::size_t crack, const joints::Joint& joint, double to_s,

@@ -89,5 +89,27 @@ TEST(CrackEnds, OfADamThatHasSlidAreNotJudged) {
   EXPECT_THAT(model.report().warnings, testing::IsEmpty());
 }
 
+/// A block has come down before the toe, of a dam that stands.
+TEST(CrackEnds, ThatWhatHasFallenShutsOffAreNotJudged) {
+  scene::Scene scene = two_on_ground();
+  scene.joints.pop_back();
+  scene.blocks.back().vertices = {{14, 3}, {18, 3}, {18, 5}, {14, 5}};
+  scene.water.upstream_level_m = scene::TimeTable::constant(1.5);
+  scene.water.downstream_level_m = scene::TimeTable::constant(1);
+  for (const bool drawn : {false, true}) {
+    if (drawn) scene.blocks.back().vertices = {{4, 0}, {8, 0}, {8, 2}, {4, 2}};
+    HydrostaticModel model(scene);
+    wire::Motion motion;
+    motion.displacement.own().resize(scene.blocks.size());
+    motion.velocity.own().resize(scene.blocks.size());
+    for (const double fallen : {0.0, 1.0}) {
+      if (!drawn) motion.displacement.own()[2].head<2>() = fallen * Point(-10, -3);
+      wire::Load load;
+      model.advance(motion, fallen, load);
+    }
+    EXPECT_EQ(model.report().warnings.empty(), !drawn);
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::hydrostatic::crack_ends_test
