@@ -123,11 +123,15 @@ Bounds bounds_of(std::span<const Point> points) {
   return bounds;
 }
 
-double distance_to_segment(const Point& p, const Point& from, const Point& to) {
+Point nearest_on_segment(const Point& p, const Point& from, const Point& to) {
   const Point span = to - from;
   const double squared = span.squaredNorm();
   const double s = squared > 0 ? std::clamp(span.dot(p - from) / squared, 0.0, 1.0) : 0.0;
-  return (from + s * span - p).norm();
+  return from + s * span;
+}
+
+double distance_to_segment(const Point& p, const Point& from, const Point& to) {
+  return (nearest_on_segment(p, from, to) - p).norm();
 }
 
 std::optional<OutlineFault> outline_fault(std::span<const Point> outline) {

@@ -20,6 +20,7 @@ struct Bounds {
 /// `points` must not be empty.
 Bounds bounds_of(std::span<const Point> points);
 
+Point nearest_on_segment(const Point& p, const Point& from, const Point& to);
 double distance_to_segment(const Point& p, const Point& from, const Point& to);
 
 /// Why an outline of three or more points does not enclose an area exactly once.

@@ -7,17 +7,30 @@
 
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_index.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::scene {
 namespace {
 
+/// How near blocks have to be to hold each other.
+struct Reach {
+  double touching_m;  ///< as the faces of a joint
+  double falling_m;   ///< a gap that closes by less does not count
+  Point down;         ///< of unit length
+
+  /// Across a gap to its side a block falls.
+  [[nodiscard]] bool over(const Point& gap) const {
+    return gap.norm() <= touching_m || gap.squaredNorm() <= falling_m * std::abs(gap.dot(down));
+  }
+};
+
 /// Of blocks that do not overlap the nearest points are a corner of one and an edge of the other.
-bool near(const Block& a, const Block& b, double distance_m) {
+bool near(const Block& a, const Block& b, const Reach& reach) {
   for (const auto& [corners, edges] : {std::pair(&a.vertices, &b.vertices), std::pair(&b.vertices, &a.vertices)}) {
     for (const Point& corner : *corners) {
       for (std::size_t i = 0; i < edges->size(); ++i) {
         const Point& to = (*edges)[(i + 1) % edges->size()];
-        if (geometry::distance_to_segment(corner, (*edges)[i], to) <= distance_m) return true;
+        if (reach.over(geometry::nearest_on_segment(corner, (*edges)[i], to) - corner)) return true;
       }
     }
   }
@@ -43,7 +56,8 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
 
 std::vector<int> loose_blocks(const Scene& scene) {
   if (scene.analysis.gravity_m_per_s2 == 0) return {};
-  const double reach_m = scene.analysis.failure_displacement_m;
+  const Reach reach{1e-6 * structure_size_m(scene.blocks), scene.analysis.failure_displacement_m,
+                    scene.analysis.gravity().normalized()};
   std::vector<bool> held = held_by_themselves(scene);
   BlockIndex open(scene.blocks);  // not yet known to be held
   std::vector<std::size_t> holding;
@@ -64,11 +78,11 @@ std::vector<int> loose_blocks(const Scene& scene) {
       if (at(a) == holder && !held[at(b)]) hold(at(b));
       if (at(b) == holder && !held[at(a)]) hold(at(a));
     }
-    geometry::Bounds reach = geometry::bounds_of(scene.blocks[holder].vertices);
-    reach.low.array() -= reach_m;
-    reach.high.array() += reach_m;
-    for (const std::size_t b : open.meeting(reach)) {
-      if (near(scene.blocks[b], scene.blocks[holder], reach_m)) hold(b);
+    geometry::Bounds around = geometry::bounds_of(scene.blocks[holder].vertices);
+    around.low.array() -= std::max(reach.touching_m, reach.falling_m);
+    around.high.array() += std::max(reach.touching_m, reach.falling_m);
+    for (const std::size_t b : open.meeting(around)) {
+      if (near(scene.blocks[b], scene.blocks[holder], reach)) hold(b);
     }
   }
   std::vector<int> loose;

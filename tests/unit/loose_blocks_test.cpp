@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace blockweir::scene::loose_blocks_test {
 namespace {
 
@@ -50,6 +53,22 @@ TEST(LooseBlocks, ACornerOnAnEdgeIsHeld) {
   EXPECT_THAT(loose_blocks(scene), IsEmpty());
   for (Point& p : scene.blocks[2].vertices) p.y() += 0.01;
   EXPECT_THAT(loose_blocks(scene), ElementsAre(2));
+}
+
+/// A stone beside a wall, as of a heap that begins in the air: a gap on its side holds nothing, a touching face may.
+TEST(LooseBlocks, AGapBesideABlockDoesNotHoldIt) {
+  for (const double tilt_deg : {0.0, 10.0, -10.0}) {
+    for (const double gap_m : {0.0, 0.5e-3}) {
+      Scene scene = wall();
+      scene.analysis.gravity_tilt_deg = tilt_deg;
+      add(scene, 1.6 + gap_m, 1.5);
+      const Point along = Eigen::Rotation2Dd(tilt_deg * std::numbers::pi / 180) * Point(1, 0);
+      for (Block& block : scene.blocks) {  // turned with gravity
+        for (Point& p : block.vertices) p = p.x() * along + p.y() * Point(-along.y(), along.x());
+      }
+      EXPECT_EQ(loose_blocks(scene).empty(), gap_m == 0) << tilt_deg << ' ' << gap_m;
+    }
+  }
 }
 
 TEST(LooseBlocks, WhatOnlyFallsIsJudged) {
