@@ -97,12 +97,18 @@ MovingBody moving_body(const MovedSince& moved, const PairMotions& pairs, const 
   const auto stays = [&](int b) { return blocks[at(b)].fixed || stands[at(b)] || moved.farthest(b) < travel / 2; };
   const auto left_behind = [&](const std::set<int>& body) {
     std::vector<std::pair<int, int>> left;
+    std::vector<std::pair<int, int>> opposite;  // goes the other way, and so carries nothing along
     for (const auto& [pair, motion] : pairs) {
       const auto [a, b] = pair;
       if (body.contains(a) == body.contains(b)) continue;
       const auto [inside, outside] = body.contains(a) ? std::pair(a, b) : std::pair(b, a);
       if (stays(outside)) left.emplace_back(inside, outside);
+      if (!stays(outside) && motion.slip > travel) opposite.emplace_back(inside, outside);
     }
+    const auto bears = [&](const std::pair<int, int>& p) {
+      return pairs.at(std::minmax(p.first, p.second)).normal > 0;
+    };
+    if (std::none_of(left.begin(), left.end(), bears)) left.insert(left.end(), opposite.begin(), opposite.end());
     return left;
   };
   std::set<int> body = reached({block}, pairs, together);

@@ -148,5 +148,69 @@ outline_m = [[-20, -15], [50, -15], [50, -12], [-20, -12]]
   EXPECT_EQ(slid["failure"]["joint"], "bedding");
 }
 
+/// A slab goes up the slope while the block on it goes down, over ground that begins to move, too. By a random scene.
+TEST_F(Verdicts, ABlockOnOneThatGoesTheOtherWaySlidesOnIt) {
+  const std::string scene = R"(title = "t"
+[analysis]
+duration_s = 0.5
+rigid = "all"
+gravity_tilt_deg = -0.3368568499751241
+[joint]
+friction_angle_deg = 8.780132021722837
+[material.m]
+youngs_modulus_pa = 10e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2500.0
+[material.r0]
+youngs_modulus_pa = 10e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 221.7512504006568
+[material.r1]
+youngs_modulus_pa = 10e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 1000.8502418283606
+[material.r2]
+youngs_modulus_pa = 10e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 1514.7617614068417
+[[block]]
+name = "ground"
+material = "m"
+vertices_m = [[-2586.6164576358524, 1177.454573649717], [-2630.3212315591168, 1094.8082073264227], [2328.4607478385574, -1527.4782280694449], [2372.1655217618218, -1444.8318617461505]]
+fixed = true
+[[block]]
+name = "b2"
+material = "r2"
+vertices_m = [[-173.0708537089016, -86.84298641083379], [-174.38639347262563, -89.33069133333245], [-32.75648109973294, -164.22694601941845], [-31.44094133600892, -161.73924109691978]]
+[[block]]
+name = "b1"
+material = "r1"
+vertices_m = [[-185.18553206299546, -83.6199271260852], [-186.4687593676179, -86.04652871611026], [-23.240569813985545, -172.36431181669073], [-21.957342509363116, -169.9377102266657]]
+initial_velocity_m_per_s = [-3.4095526829506246, 1.8030282009605556]
+[[block]]
+name = "b0"
+material = "r0"
+vertices_m = [[-326.322587142428, -12.08949712331966], [-328.6933904886418, -16.572720905135753], [114.24245461461084, -250.80456719129742], [116.6132579608246, -246.32134340948133]]
+[[joints]]
+name = "j0"
+between = ["ground", "b0"]
+friction_angle_deg = 6.820168596713658
+[[joints]]
+name = "j1"
+between = ["b0", "b1"]
+friction_angle_deg = 36.61952626115617
+[[joints]]
+name = "j2"
+between = ["b1", "b2"]
+friction_angle_deg = 6.014241387208565
+)";
+  const auto summary = run(scene);
+  ASSERT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_EQ(summary["failure"]["mode"], "sliding");
+  EXPECT_EQ(summary["failure"]["joint"], "j2");
+  EXPECT_EQ(summary["failure"]["blocks"], nlohmann::json({"b2"}));
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("nothing holds it")));
+}
+
 }  // namespace
 }  // namespace blockweir::test::verdict_joints_test
