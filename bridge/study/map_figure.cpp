@@ -69,6 +69,8 @@ std::string legend(const json& cells) {
   for (const Word& one : outcomes) {
     if (has(cells, one.word)) text += fmt::format("  {} {}", one.letter, one.word);
   }
+  const auto is_wrong = [](const json& cell) { return cell["verdict"] == "wrong"; };
+  if (std::any_of(cells.begin(), cells.end(), is_wrong)) text += fmt::format("  {} not as expected", wrong_mark);
   return text + "\n";
 }
 

@@ -16,6 +16,9 @@ char letter(const std::string& word);
 /// gnuplot's colour for a cell's word.
 std::string colour(const std::string& word);
 
+/// Beside the letter of a cell that is not as expected.
+constexpr char wrong_mark = '!';
+
 /// One line with the letters and words that occur in the cells.
 std::string legend(const nlohmann::json& cells);
 

@@ -76,7 +76,7 @@ StudyResult draw_map(const scene::MapStudy& study, StudyRuns& runs) {
       cell["x"] = value_of(column);
       cell["y"] = value_of(*row);
       const std::string verdict = cell["verdict"];
-      result.text += fmt::format(" {}{}", letter(cell["shown"]), verdict == "wrong" ? '!' : ' ');
+      result.text += fmt::format(" {}{}", letter(cell["shown"]), verdict == "wrong" ? wrong_mark : ' ');
       if (verdict != "right")
         differences += fmt::format("  {}: {}, {}: {}\n", verdict, settings[0], settings[1],
                                    difference(cell, !study.expected.formula.empty()));

@@ -154,8 +154,8 @@ std::string sums_text(const json& joints, const char* last) {
 }
 
 constexpr const char* joints_legend =
-    "\nper metre of dam: N normal force without U, T shear, U uplift, M moment of N about\n"
-    "the joint's middle (> 0: N acts downstream); sliding: strength over T; residual:\n"
+    "\nper metre of dam: N effective normal force (U is deducted), T shear, U uplift, M moment\n"
+    "of N about the joint's middle (> 0: N acts downstream); sliding: strength over T; residual:\n"
     "without the bond; result.: its distance from the downstream end over the length\n";
 
 /// Joints that divide the structure and have no row.

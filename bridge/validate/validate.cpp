@@ -139,7 +139,9 @@ int validate(const ValidateOptions& options) {
     return 130;
   }
   if (table.rows().empty()) {
-    fmt::print("no case states a figure\n");
+    fmt::print(
+        "no scene states a figure: add [[expect]] with a quantity and its value; \"blockweir run\" and \"blockweir "
+        "compare\" need none\n");
     return 1;
   }
   if (!options.json.empty()) results::replace_file(options.json, table.rows().dump(2) + "\n");
