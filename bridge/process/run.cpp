@@ -180,7 +180,7 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   const bool asks = options.margin && LimitMargin::suits(scene);
   if (asks) commands.push_back(margin.command(folder));
   if (is_started_by_hand(scene)) fmt::print(stderr, "{}", call_for_external(scene, processes));
-  Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet);
+  Progress progress(pipe_ends[0], scene.analysis.duration_s, options.quiet && !options.tells_progress);
   const Supervised supervised = supervise(
       commands, folder, grace_s, [&] { return progress.update(); }, options.longest_s);
   progress.finish();

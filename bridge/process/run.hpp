@@ -17,10 +17,11 @@ struct RunOptions {
   bool inproc = false;  ///< still water or a reservoir within the solid's process
   bool strict = false;  ///< warnings of the reader are errors
   bool quiet = false;
-  bool trace = false;         ///< all sides record when they wait and send, in the run's folder "trace"
-  bool margin = false;        ///< adds the result of limit analysis to the summary, computed during the run
-  bool keeps_others = false;  ///< refuses an `out` with results that would be lost, see refuse_to_lose()
-  double longest_s = 0;       ///< limit of wall time, after which the run is ended as hanging; 0: none
+  bool tells_progress = false;  ///< although it is quiet
+  bool trace = false;           ///< all sides record when they wait and send, in the run's folder "trace"
+  bool margin = false;          ///< adds the result of limit analysis to the summary, computed during the run
+  bool keeps_others = false;    ///< refuses an `out` with results that would be lost, see refuse_to_lose()
+  double longest_s = 0;         ///< limit of wall time, after which the run is ended as hanging; 0: none
 };
 
 struct ResumeOptions {

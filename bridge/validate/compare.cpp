@@ -36,13 +36,14 @@ std::vector<fs::path> chosen(const CompareOptions& options) {
 }
 
 /// Two runs: one for the time, and one with condition numbers, which take far longer than the run.
-json measured(RunOptions options) {
+json measured(const std::string& name, RunOptions options) {
   try {
-    const RunResult timed = uninterrupted(options);
+    const RunResult timed = uninterrupted(name + ": a run for the time", options);
     if (timed.exit_code != 0) return {{"trouble", timed.trouble}};
     options.overrides.emplace_back("contact.measure_condition=true");
     options.out += "-conditioned";
-    const RunResult conditioned = uninterrupted(options);
+    const RunResult conditioned =
+        uninterrupted(name + ": a run that measures condition numbers, which takes far longer", options);
     fs::remove_all(options.out);
     if (conditioned.exit_code != 0) return {{"trouble", "with contact.measure_condition: " + conditioned.trouble}};
     json summary = timed.summary;
@@ -119,10 +120,10 @@ int compare(const CompareOptions& options) {
         const std::string name = fmt::format("{}-{}", case_name(scene), formulation);
         RunOptions one{.scene = scene,
                        .out = options.out.empty() ? scratch.path() / "run" : options.out / name,
-                       .overrides = options.overrides,
-                       .quiet = true};
+                       .overrides = options.overrides};
         one.overrides.push_back(fmt::format("contact.formulation={}", formulation));
-        sound &= add_rows(case_name(scene), formulation, command_of(one), measured(one), rows);
+        sound &= add_rows(case_name(scene), formulation, command_of(one),
+                          measured(fmt::format("{}, {}", case_name(scene), formulation), one), rows);
         std::fflush(stdout);
       }
     }

@@ -165,8 +165,7 @@ class FluidTable {
   void add(const fs::path& scene, const std::string& fluid) {
     RunOptions one{.scene = scene,
                    .out = options_.out.empty() ? scratch_.path() / "run"
-                                               : options_.out / fmt::format("{}-{}", case_name(scene), fluid),
-                   .quiet = true};
+                                               : options_.out / fmt::format("{}-{}", case_name(scene), fluid)};
     Settings own;
     std::string left_out;
     for (const std::string& setting : options_.overrides) {
@@ -183,7 +182,7 @@ class FluidTable {
       const Choice choice = choice_of(scene, entry_of(fluid).model, one.overrides);
       one.variant = choice.variant;
       one.overrides = joined(joined(one.overrides, choice.set), own);
-      const RunResult result = uninterrupted(one);
+      const RunResult result = uninterrupted(fmt::format("{}, {}: a run", case_name(scene), fluid), one);
       if (result.exit_code != 0) trouble = result.trouble;
       summary = result.summary;
     } catch (const scene::SceneError& error) {

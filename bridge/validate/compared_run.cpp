@@ -12,7 +12,9 @@ using nlohmann::json;
 using process::RunOptions;
 using process::RunResult;
 
-RunResult uninterrupted(const RunOptions& options) {
+RunResult uninterrupted(const std::string& what, RunOptions options) {
+  fmt::print(stderr, "{}\n", what);
+  options.quiet = options.tells_progress = true;
   RunResult result = run(options);
   if (result.exit_code == 130) throw Interrupted();
   return result;

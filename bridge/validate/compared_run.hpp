@@ -9,8 +9,8 @@
 
 namespace blockweir::study {
 
-/// Throws Interrupted if it is stopped.
-process::RunResult uninterrupted(const process::RunOptions& options);
+/// Says on stderr what runs, and how far it is. Throws Interrupted if it is stopped.
+process::RunResult uninterrupted(const std::string& what, process::RunOptions options);
 
 /// The command line that repeats the run.
 std::string command_of(const process::RunOptions& options);
