@@ -10,6 +10,8 @@ namespace {
 
 TEST_F(Processes, TheThreeContactFormulationsAreCompared) {
   EXPECT_EQ(shell(programs + "/blockweir compare " + cases + "own-weight --json table.json"), 0) << text("out");
+  EXPECT_THAT(text("out"), testing::HasSubstr("own-weight, penalty: a run that measures condition numbers, which takes "
+                                              "far longer\n"));
   const auto rows = nlohmann::json::parse(text("table.json"));
   ASSERT_EQ(rows.size(), 6U);  // stress and shortening
   for (const auto& row : rows) {
@@ -18,6 +20,11 @@ TEST_F(Processes, TheThreeContactFormulationsAreCompared) {
     EXPECT_LT(row["relative_error"].get<double>(), gives_way ? 1e-2 : 1e-9) << row;
     EXPECT_GT(row["largest_condition_number"].get<double>(), 1) << row;
   }
+}
+
+TEST_F(Processes, ASceneWithoutFiguresIsToldHowToStateThem) {
+  EXPECT_EQ(shell(programs + "/blockweir validate " + cases + "own-weight --set expect=[]"), 1);
+  EXPECT_THAT(text("out"), testing::HasSubstr("no scene states a figure: add [[expect]]"));
 }
 
 TEST_F(Processes, TheLowerCrackFailsFirstUnderOneFillingCurve) {

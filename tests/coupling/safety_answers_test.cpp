@@ -44,6 +44,7 @@ material = "m"
 vertices_m = [[0, 0], [3, -0.5], [2, 5], [0, 5]]
 )");
   ASSERT_EQ(ask("safety s.toml --json a.json"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("N effective normal force (U is deducted)"));
   const json found = answer("a.json")["load_cases"][0];
   EXPECT_NEAR(found["factor"], 1.2611, 1e-4);
   EXPECT_NEAR(found["limit_analysis_factor"], 1.2611, 1e-4);

@@ -133,5 +133,29 @@ TEST_F(Verdicts, AResultantBeyondTheBaseIsSaidToBeHeldByWhatHoldsIt) {
   EXPECT_THAT(text("out"), HasSubstr(": held by an anchor"));
 }
 
+/// 280 bricks before 4.4 m of water: what slips on the way owes energy for some steps, though nothing can move.
+TEST_F(Verdicts, AWallThatOnlyStrainsStands) {
+  const auto summary = run(R"(
+analysis = { duration_s = 1 }
+material.brick = { youngs_modulus_pa = 3e9, poissons_ratio = 0.2, density_kg_per_m3 = 1900 }
+joint = { friction_angle_deg = 33 }
+water = { upstream_level_m = { from = 4.0, rate_per_s = 0.4 } }
+[[block]]
+name = "ground"
+material = "brick"
+fixed = true
+vertices_m = [[-8, -1], [12, -1], [12, 0], [-8, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+brick_length_m = 0.4
+brick_height_m = 0.25
+rows = 20
+columns = 14
+)");
+  EXPECT_EQ(summary["outcome"], "stands") << text("out");
+  EXPECT_LT(summary["largest_displacement_m"], 1e-3);
+}
+
 }  // namespace
 }  // namespace blockweir::test::verdicts_test

@@ -103,7 +103,10 @@ TEST(CrackEnds, ThatWhatHasFallenShutsOffAreNotJudged) {
     motion.displacement.own().resize(scene.blocks.size());
     motion.velocity.own().resize(scene.blocks.size());
     for (const double fallen : {0.0, 1.0}) {
-      if (!drawn) motion.displacement.own()[2].head<2>() = fallen * Point(-10, -3);
+      if (!drawn) {
+        motion.displacement.own()[2][0] = -10 * fallen;
+        motion.displacement.own()[2][1] = -3 * fallen;
+      }
       wire::Load load;
       model.advance(motion, fallen, load);
     }
