@@ -154,9 +154,10 @@ std::string sums_text(const json& joints, const char* last) {
 }
 
 constexpr const char* joints_legend =
-    "\nper metre of dam: N effective normal force (U is deducted), T shear, U uplift, M moment\n"
-    "of N about the joint's middle (> 0: N acts downstream); sliding: strength over T; residual:\n"
-    "without the bond; result.: its distance from the downstream end over the length\n";
+    "\nper metre of dam: N effective normal force (U is deducted), T shear, U uplift,\n"
+    "M moment of N about the joint's middle (> 0: N acts downstream); sliding: strength\n"
+    "over T; residual: without the bond; result.: its distance from the downstream end\n"
+    "over the length\n";
 
 /// Joints that divide the structure and have no row.
 std::string bent_joints_text(const json& answer) {

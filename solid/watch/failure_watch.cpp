@@ -227,8 +227,7 @@ std::optional<Moving> FailureWatch::moving() const {
     if (!free[b] || block.failed || (!slow_[b] && block.stood == a_spell)) continue;
     // A slow one may have begun to move, also where what it owes of energy makes it count as moving.
     const double fast = speed(b);
-    const bool is_slow = fast <= solid_.scene().analysis.rest_speed_m_per_s;
-    if (is_slow && (held[b] || !sets_out(b))) continue;
+    if (fast <= solid_.scene().analysis.rest_speed_m_per_s && (held[b] || !sets_out(b))) continue;
     const auto key = [&](std::size_t other, double v) { return std::pair(!crumbs_[other], v); };
     if (!fastest || key(b, fast) > key(at(fastest->block), fastest->speed_m_per_s)) {
       fastest = {static_cast<int>(b), fast, travel(b)};

@@ -89,7 +89,7 @@ TEST(SceneUplift, AnotherLawOfALoadCaseGoesWithoutTheDrainsAndPiezometersOfTheFi
 TEST(SceneUplift, ADrainThatFollowsALawThatIsSetHasNoEffect) {
   const std::string own = crack("drain_m = 1\ndrain_efficiency = 0.5");
   EXPECT_THAT(sample::errors(own, {}), testing::SizeIs(1));
-  EXPECT_THAT(sample::errors(own, {"joint.uplift=drained"}), testing::IsEmpty());
+  EXPECT_THAT(sample::errors(own, {"joints.crack.uplift=drained"}), testing::IsEmpty());
   EXPECT_THAT(sample::errors(own, {"joint.uplift=full"}), testing::IsEmpty());
 }
 
