@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "bridge/scene/at.hpp"
 #include "solid/output/block_names.hpp"
 
@@ -17,16 +19,20 @@ double drawn_crest_m(const scene::Scene& scene) {
   return all.max().y();
 }
 
-}  // namespace
-
+/// Whether pressures of still water have outlived it: from the breach on they are not those of the water.
 bool ends_still_water(const expect::Outcome& outcome) {
   return outcome.breach && outcome.solid.scene().fluid != scene::FluidModel::openfoam;
 }
 
+}  // namespace
+
+double counted_until_s(const expect::Outcome& outcome) {
+  const bool ends = ends_still_water(outcome) && outcome.failure.failures().front().time_s < outcome.breach->time_s;
+  return ends ? outcome.breach->time_s : std::numeric_limits<double>::infinity();
+}
+
 bool is_after_breach(const expect::Outcome& outcome, const Failure& failure) {
-  if (!ends_still_water(outcome)) return false;
-  const double breach_s = outcome.breach->time_s;
-  return failure.time_s >= breach_s && outcome.failure.failures().front().time_s < breach_s;
+  return failure.time_s >= counted_until_s(outcome);
 }
 
 void add_breach(const expect::Outcome& outcome, nlohmann::json& text) {

@@ -9,8 +9,8 @@
 
 namespace blockweir::solid::output {
 
-/// Whether pressures of still water have outlived it: from the breach on they are not those of the water.
-bool ends_still_water(const expect::Outcome& outcome);
+/// Until when blocks that set out count as failed: to a breach of still water that another failure made.
+double counted_until_s(const expect::Outcome& outcome);
 
 /// Whether this failure began only after such a breach, one that another failure had made.
 bool is_after_breach(const expect::Outcome& outcome, const Failure& failure);

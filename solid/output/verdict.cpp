@@ -71,12 +71,12 @@ json failure(const expect::Outcome& o) {
         is_small ? ": if that is acceptable, state a larger failure_displacement_m" : "");
   }
   constexpr double far_ratio = 10;  // of the structure: no ground is there
-  if (const double farthest_m = ends_still_water(o) ? o.breach->farthest_failed_m : o.failure.farthest_failed_m();
+  if (const double farthest_m = o.failure.farthest_failed_m(counted_until_s(o));
       farthest_m > far_ratio * o.solid.size_m() && !o.failure.rests_again()) {
     text += fmt::format(
-        "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn {}: "
+        "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn when the run ended: "
         "stop_at_failure = true, or a shorter duration_s, ends it sooner",
-        text.empty() ? "" : "; ", farthest_m, ends_still_water(o) ? "at the breach" : "when the run ended");
+        text.empty() ? "" : "; ", farthest_m);
   }
   if (!o.failure.failed()) {
     text += fmt::format("{}only crumbs of the drawing have failed: nothing else moves", text.empty() ? "" : "; ");

@@ -92,8 +92,7 @@ void CoupledSolid::start(const wire::Load& load) {
 void CoupledSolid::advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) {
   if (load.window > 0) map(load);
   if (load.breached && !breach_) {
-    breach_ = {from_s, std::fmax(load.upstream_level_m, load.downstream_level_m), highest_point_m(solid_),
-               failure_.farthest_failed_m()};
+    breach_ = {from_s, std::fmax(load.upstream_level_m, load.downstream_level_m), highest_point_m(solid_)};
   }
   const std::vector<Eigen::Vector3d> velocities = schedule::velocities_in(sent);
   AddedMasses masses;

@@ -6,13 +6,12 @@ namespace blockweir::solid {
 
 struct Breach {
   double time_s = 0;
-  double level_m = 0;            ///< the higher pool's; NaN without one
-  double crest_m = 0;            ///< highest point of the blocks
-  double farthest_failed_m = 0;  ///< of the blocks that had failed, from where they were drawn
+  double level_m = 0;  ///< the higher pool's; NaN without one
+  double crest_m = 0;  ///< highest point of the blocks
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(time_s, level_m, crest_m, farthest_failed_m);
+    archive(time_s, level_m, crest_m);
   }
 };
 

@@ -205,11 +205,11 @@ bool FailureWatch::rests_again() const {
   return true;
 }
 
-double FailureWatch::farthest_failed_m() const {
+double FailureWatch::farthest_failed_m(double before_s) const {
   const Point base = solid_.base().displacement(solid_.time_s());
   double farthest = 0;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
-    if (!watched_[b].failed || is_loose(b)) continue;
+    if (!watched_[b].failed || is_loose(b) || watched_[b].time_s >= before_s) continue;
     for (const Point& X : solid_.blocks()[b].vertices) {
       farthest = std::max(farthest, (solid_.placements()[b].displacement(X) - base).norm());
     }

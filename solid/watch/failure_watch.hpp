@@ -92,8 +92,9 @@ class FailureWatch {
   /// Whether all failed blocks were at rest at the last evaluation.
   [[nodiscard]] bool rests_again() const;
 
-  /// Largest displacement of a failed block's vertex from the scene as drawn, relative to the base [m].
-  [[nodiscard]] double farthest_failed_m() const;
+  /// Largest displacement of a failed block's vertex from the scene as drawn, relative to the base [m];
+  /// of those that set out before this time.
+  [[nodiscard]] double farthest_failed_m(double before_s = std::numeric_limits<double>::infinity()) const;
 
   /// The fastest block that neither is at rest nor has failed, a crumb only if no other is left; none if there is none.
   [[nodiscard]] std::optional<Moving> moving() const;
