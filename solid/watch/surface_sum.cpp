@@ -24,6 +24,7 @@ std::pair<Point, Point> force_on_side(const Solid& solid, const ContactPoint& c,
 std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surfaces) {
   std::vector<SurfaceSum> sums(surfaces.names().size());
   for (const ContactPoint& c : solid.contacts()) {
+    if (c.state == ContactState::open && !c.has_touched()) continue;  // beside the joint
     for (const int surface : surfaces.of(c.pair())) sums[at(surface)].reach(solid.state().place(c));
   }
   const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.size_m(); };

@@ -97,5 +97,29 @@ TEST(BondedLength, IsThatOfFacesThatTouch) {
   }
 }
 
+/// The last 3 m of a base are a chamfer of a degree: the joint is as long as what touches, and as level.
+TEST(BondedLength, JointsHaveNoPartThatDoesNotTouch) {
+  const std::string text = R"(analysis = { duration_s = 1, rigid = "all" }
+water = { upstream_level_m = 2 }
+joint = { friction_angle_deg = 20, cohesion_pa = 2000 }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-10, -5], [20, -5], [20, 0], [-10, 0]]
+[[block]]
+name = "wall"
+material = "m"
+vertices_m = [[0, 0], [7, 0], [10, 0.052365], [4, 2], [3, 4], [0, 4]]
+)";
+  const auto row = process::safety_answer(scene::read_text(text, "chamfer.toml").scene, hydrostatic::make)["joints"][0];
+  const double weight_n = 413.559e3;
+  const double push_n = 9810 * 2 * 2 / 2.0;
+  const double strength_n = 2000 * 7 + weight_n * std::tan(20 * std::numbers::pi / 180);
+  EXPECT_NEAR(row["sliding_factor"].get<double>(), strength_n / push_n, 1e-4);
+  EXPECT_NEAR(row["length_m"].get<double>(), 7, 1e-9);
+}
+
 }  // namespace
 }  // namespace blockweir::test::bonded_length_test
