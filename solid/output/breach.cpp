@@ -27,8 +27,10 @@ bool ends_still_water(const expect::Outcome& outcome) {
 }  // namespace
 
 double counted_until_s(const expect::Outcome& outcome) {
-  const bool ends = ends_still_water(outcome) && outcome.failure.failures().front().time_s < outcome.breach->time_s;
-  return ends ? outcome.breach->time_s : std::numeric_limits<double>::infinity();
+  const auto& failures = outcome.failure.failures();
+  const bool made_it =
+      ends_still_water(outcome) && !failures.empty() && failures.front().time_s < outcome.breach->time_s;
+  return made_it ? outcome.breach->time_s : std::numeric_limits<double>::infinity();
 }
 
 bool is_after_breach(const expect::Outcome& outcome, const Failure& failure) {
