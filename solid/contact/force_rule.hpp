@@ -32,6 +32,7 @@ struct Ruled {
 struct RuledForce {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   bool slips = false;
+  bool exact = false;  ///< nothing is left of the slip of what sticks
 };
 
 /// The forces that fulfil a rule at one point, found time and again: what does not depend on gap and slip is computed
@@ -160,7 +161,7 @@ class PointForces {
 [[nodiscard]] inline RuledForce forces_of(const ForceRule& rule, const Eigen::Matrix2d& flexibility,
                                           const Eigen::Vector2d& apart) {
   const auto found = PointForces<double>(law_of(rule, flexibility)).at(apart[0], apart[1]);
-  return {{found.normal, found.shear}, found.slips};
+  return {.force = {found.normal, found.shear}, .slips = found.slips};
 }
 
 }  // namespace blockweir::solid

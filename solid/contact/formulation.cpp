@@ -127,7 +127,7 @@ Interaction Formulation::take_contact(const Trial& trial, int index, ContactPoin
   c.force = c.multiplier = found.force;
   progress.slip_force = found.force.y();
   progress.turning = false;
-  progress.swept = true;
+  progress.swept = !found.exact;
   if (open) return {.block_i = c.vertex_part, .block_j = c.edge_part};
   Interaction action = interaction_of(c, edge, progress.separation.y());
   action.force = c.force;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "solid/step/centred_forces.hpp"
 #include "solid/step/lagging_friction.hpp"
 #include "solid/step/newton.hpp"
 #include "solid/step/pivoting.hpp"
@@ -19,20 +20,17 @@ bool may_sweep(const StepWorkspace& step, const StepMode& mode) {
 
 namespace {
 
-/// Do rigid blocks move in the step that rested before it? Many: few move as the forces before have it.
-bool begins_to_move(const StepWorkspace& step, const IslandEquations& island) {
-  constexpr double moving = 1e-6;   // of a fall through the step
-  constexpr double resting = 1e-3;  // what sweeps leave is less
-  const auto& blocks = island.island.blocks;
-  const bool rigid = island.unknowns->total == 3 * island.unknowns->blocks();
-  const auto farther = [&](const Vector6& way, int block, double share) {
-    return way.head<2>().norm() + step.model.blocks[at(block)].radius * std::abs(way[2]) > share * step.trial.fall_m();
-  };
-  return rigid && island.unknowns->total > few_unknowns &&
-         std::any_of(blocks.begin(), blocks.end(),
-                     [&](int b) { return farther(step.trial.increment[at(b)], b, moving); }) &&
-         std::none_of(blocks.begin(), blocks.end(),
-                      [&](int b) { return farther(step.trial.dt * step.state.blocks[at(b)].velocity, b, resting); });
+/// Velocities of a large island are round-off if they would displace it by no more: with penalties times that, a
+/// standing wall would be out of balance at the start of each step.
+void start_where_it_rests(StepWorkspace& step, const IslandEquations& s) {
+  const double round_off_m = 10 * step.formulation->settings().position_round_off_m;
+  if (s.unknowns->total <= large_island || s.unknowns->shared()) return;
+  for (const int block : s.island.blocks) {
+    const auto b = at(block);
+    const Vector6& increment = step.trial.increment[b];
+    const double moved = increment.head<2>().norm() + step.model.blocks[b].radius * increment.tail<4>().norm();
+    if (moved <= round_off_m) step.trial.go_to(b, Vector6::Zero());
+  }
 }
 
 /// As the step began it, for Newton's method.
@@ -40,6 +38,7 @@ void begin_anew(StepWorkspace& step, IslandEquations& island) {
   const IslandContacts contacts = island.island_contacts();
   step.formulation->undo(contacts);
   for (const int b : island.island.blocks) step.trial.predict(at(b));
+  start_where_it_rests(step, island);
   step.formulation->begin(step.trial.at_start(), step.trial.matrix, step.trial.frozen, contacts);
   if (island.unknowns->total > large_island) step.formulation->keep_forces(step.trial.at_start(), contacts);
 }
@@ -47,14 +46,12 @@ void begin_anew(StepWorkspace& step, IslandEquations& island) {
 }  // namespace
 
 Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepMode& mode, bool newton) {
-  if (newton && find_by_newton(step, island, mode)) {
-    if (!mode.in_motion() || !may_sweep(step, mode) || !begins_to_move(step, island)) return Found::by_newton;
-    // Coulomb's law leaves more than one solution: what rests goes on resting if it can.
-    SweptEquilibrium swept(step);
-    if (swept.may_rest(island)) return swept.find(island, mode);
+  start_where_it_rests(step, island);
+  if (newton && CentredForces(step).may_hold(island, mode)) {
+    if (CentredForces(step).hold(island)) return Found::by_newton;
     begin_anew(step, island);
-    return find_by_newton(step, island, mode) ? Found::by_newton : swept.find(island, mode);
   }
+  if (newton && find_by_newton(step, island, mode)) return Found::by_newton;
   if (newton && mode.pivots && Pivoting(step).find(island, mode)) return Found::by_newton;
   return may_sweep(step, mode) ? SweptEquilibrium(step).find(island, mode) : Found::nothing;
 }

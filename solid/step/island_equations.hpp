@@ -59,6 +59,8 @@ class IslandEquations : StepPart {
 
   /// Solves the linearized equations once for the correction; false if there is no solution.
   bool solve_linearized();
+  /// With the stiffnesses that the actions have been given, which are symmetric.
+  bool solve_symmetric();
   /// Adds this fraction of the correction to the trial positions.
   void move(double fraction);
   /// Sets the matrix of the blocks alone, to which others add.

@@ -60,6 +60,11 @@ bool IslandEquations::solve_linearized() {
   return true;
 }
 
+bool IslandEquations::solve_symmetric() {
+  symmetric_ = true;
+  return solve_linearized();
+}
+
 bool IslandEquations::solve(bool symmetric) {
   if (!model_.scene.analysis.reuse_factors) system().forget_factors();
   if (!system().solve(symmetric, residual, correction)) return false;

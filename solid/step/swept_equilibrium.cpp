@@ -10,6 +10,7 @@
 #include "solid/contact/bonds.hpp"
 #include "solid/solve/standing_forces.hpp"
 #include "solid/step/equilibrium.hpp"
+#include "solid/step/moves_little.hpp"
 #include "solid/step/push_apart.hpp"
 #include "solid/step/restore_unless.hpp"
 #include "solid/step/temporarily.hpp"
@@ -23,7 +24,6 @@ constexpr double most_visits = 3e4;                                // to contact
 constexpr double most_slow_visits = 3e6;                           // slowest: what sweeps leave would add up to a creep
 constexpr double least_sweeps = 100;                               // where an island is large
 constexpr double most_sweeps = 1000;
-constexpr double enough_share = 1e-4;  // of a fall through the step: no gap or slip has to be nearer to its law
 constexpr double most_at_first = 400;  // of the first step that is swept: what follows begins with its forces
 
 }  // namespace
@@ -111,15 +111,6 @@ double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
   return s.sweeps.take_nearest();
 }
 
-bool SweptEquilibrium::may_rest(IslandEquations& s) {
-  constexpr double at_rest = 1e-6;  // of a fall through the step: a failure's level would be as much too high
-  begin(s);
-  SweepRows rows(step_);
-  if (!linearize(s, rows, /*first_round=*/false) || !is_at_rest(s)) return false;
-  const std::vector<Matrix6> matrix = matrices(s);
-  return StandingForces(s.sweeps, *s.unknowns, matrix).found(s.residual, at_rest * trial_.fall_m());
-}
-
 void SweptEquilibrium::begin(IslandEquations& s) {
   const IslandContacts contacts = s.island_contacts();
   formulation_->undo(contacts);
@@ -182,12 +173,7 @@ bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
   if (!std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return StandingForces::is_dry(r.rule); })) {
     return false;
   }
-  const double still_m = 10 * enough_share * trial_.fall_m();
-  return std::all_of(s.island.blocks.begin(), s.island.blocks.end(), [&](int block) {
-    const Vector6& velocity = state_.blocks[at(block)].velocity;
-    const double turning = velocity.tail<4>().cwiseAbs().sum() * model_.blocks[at(block)].radius;
-    return (velocity.head<2>().norm() + turning) * trial_.dt <= still_m;
-  });
+  return moves_little(step_, s);
 }
 
 std::vector<Matrix6> SweptEquilibrium::matrices(const IslandEquations& s) const {

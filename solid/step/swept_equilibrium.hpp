@@ -18,10 +18,6 @@ class SweptEquilibrium : StepPart {
   /// By sweeps, or by Newton's method started from their result.
   Found find(IslandEquations& island, const StepMode& mode);
 
-  /// Are there forces by which rigid blocks that begin the step at rest in dry contacts stay there? The trial begins
-  /// anew.
-  bool may_rest(IslandEquations& island);
-
  private:
   bool fly(IslandEquations& island);
   [[nodiscard]] double most_of(const IslandEquations& island) const;

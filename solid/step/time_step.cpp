@@ -189,7 +189,6 @@ bool TimeStep::solve(const StepMode& mode) {
     }
     const Stopwatch watch(profile_.equilibria);
     ++counts_.solved_islands;
-    start_where_it_rests(island);
     if (solved) island.found = find_equilibrium(step_, island, mode, newton);
     solved = solved && island.found != Found::nothing && island.found != Found::corners;
     all_by_newton = all_by_newton &&
@@ -238,20 +237,6 @@ double TimeStep::timed() const {
   constexpr long steps = 16;
   if (model_.blocks.size() > few_blocks * std::max<std::size_t>(1, islands_.size()) || counts_.steps < steps) return 1;
   return counts_.steps % steps == 0 ? static_cast<double>(steps) : 0;
-}
-
-/// Velocities of a large island are round-off if they would displace it by no more: with penalties times that, a
-/// standing wall would be out of balance at the start of each step.
-void TimeStep::start_where_it_rests(const IslandEquations& s) {
-  const double round_off_m = 10 * formulation_->settings().position_round_off_m;
-  if (s.unknowns->total <= large_island || s.unknowns->shared()) return;
-  for (const int block : s.island.blocks) {
-    const auto b = at(block);
-    const double moved =
-        trial_.increment[b].head<2>().norm() + model_.blocks[b].radius * trial_.increment[b].tail<4>().norm();
-    if (moved > round_off_m) continue;
-    trial_.go_to(b, Vector6::Zero());
-  }
 }
 
 }  // namespace blockweir::solid

@@ -33,7 +33,6 @@ class TimeStep : StepPart {
   void begin(const Stretch& stretch, const StepMode& mode);
   void begin_contacts(const StepMode& mode);
   void push_boundary(const scene::TimeSpan& span);
-  void start_where_it_rests(const IslandEquations& island);
   bool solve(const StepMode& mode);
 
   WaterInertia& water_;

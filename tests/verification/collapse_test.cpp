@@ -104,7 +104,7 @@ TEST(Collapse, WedgesHoweverSharpDoNotGoIntoEachOther) {
 }
 
 TEST(Collapse, SweepsTakeOverSoonWhereNewtonsMethodLeadsAway) {
-  solid::Solid wall(test::collapse(test::wall(10, 2, 1), 0.01, 20, 30));
+  solid::Solid wall(test::collapse(test::wall(30, 4, 1), 0.01, 20, 30));
   wall.advance(0, 0.01, {});
   EXPECT_GT(wall.counts().sweeps, 0);
   EXPECT_LE(wall.counts().iterations, 5) << "40 solutions before";
