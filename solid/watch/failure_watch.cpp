@@ -40,6 +40,9 @@ FailureWatch::FailureWatch(const Solid& solid)
     if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
   }
   for (const scene::ViscousFace& face : solid.scene().viscous_faces) guided_[at(face.block)] = true;
+  strains_ = solid.scene().contact.formulation == scene::ContactFormulation::penalty || !solid.scene().bolts.empty() ||
+             std::any_of(solid.blocks().begin(), solid.blocks().end(),
+                         [](const Block& block) { return !block.fixed && !block.rigid; });
   rings_ = solid.scene().analysis.integrator != scene::Integrator::shi ||
            solid.scene().contact.formulation == scene::ContactFormulation::penalty;
 }
@@ -109,7 +112,7 @@ void FailureWatch::judge() {
   slow_.flip();
   stands_ = slow_;
   at_rest_ = at_rest;
-  if (!any_moves) {
+  if (!any_moves || !strains_) {
     at_rest_ = at_rest && std::find(moves.begin(), moves.end(), true) == moves.end();
     return;
   }

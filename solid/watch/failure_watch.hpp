@@ -148,6 +148,7 @@ class FailureWatch {
   bool at_rest_ = true;
   bool begun_ = false;
   bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
+  bool strains_ = false;      ///< does anything? Else what moves is no oscillation
   double seen_s_ = 0;         ///< time of the last evaluation
   std::vector<bool> guided_;  ///< by supports at two points, or ground: its motion is not a failure
   std::vector<bool> crumbs_;

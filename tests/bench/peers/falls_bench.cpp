@@ -40,7 +40,9 @@ class Fall {
   }
   [[nodiscard]] double made_over_dissipated() const { return made_over(0); }
   /// Of what stands: over at least so much energy.
-  [[nodiscard]] double made_over(double least_j) const { return made_ / std::max(first_ - last_ + made_, least_j); }
+  [[nodiscard]] double made_over(double least_j) const {
+    return made_ > 0 ? made_ / std::max(first_ - last_ + made_, least_j) : 0;
+  }
   [[nodiscard]] double overlap_m() const { return overlap_; }
 
  private:
