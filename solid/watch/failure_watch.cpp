@@ -16,6 +16,7 @@
 #include "solid/watch/failure_mode.hpp"
 #include "solid/watch/mobility.hpp"
 #include "solid/watch/moving_body.hpp"
+#include "solid/watch/oscillations.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -33,18 +34,15 @@ FailureWatch::FailureWatch(const Solid& solid)
       guided_(watched_.size()),
       crumbs_(scene::crumbs(solid.scene().blocks)),
       loads_stay_(scene::loads_are_constant(solid.scene())),
-      loose_(scene::loose_blocks(solid.scene())) {
+      loose_(scene::loose_blocks(solid.scene())),
+      strains_(anything_strains(solid)),
+      rings_(velocities_ring(solid)) {
   for (const int b : loose_) watched_[at(b)].failed = true;
   std::map<std::size_t, int> supports;
   for (const scene::Support& support : solid.scene().supports) {
     if (++supports[at(support.block)] == 2) guided_[at(support.block)] = true;
   }
   for (const scene::ViscousFace& face : solid.scene().viscous_faces) guided_[at(face.block)] = true;
-  strains_ = solid.scene().contact.formulation == scene::ContactFormulation::penalty || !solid.scene().bolts.empty() ||
-             std::any_of(solid.blocks().begin(), solid.blocks().end(),
-                         [](const Block& block) { return !block.fixed && !block.rigid; });
-  rings_ = solid.scene().analysis.integrator != scene::Integrator::shi ||
-           solid.scene().contact.formulation == scene::ContactFormulation::penalty;
 }
 
 /// Of the block's fastest vertex [m/s]. Where directions that contacts hold may ring in the velocity without a motion,
@@ -79,8 +77,7 @@ double FailureWatch::travel(std::size_t b) const {
 
 /// Something pushes it that nothing balances.
 bool FailureWatch::sets_out(std::size_t b) const {
-  // Without gravity loads are to be held against the earth's, as lengths and speeds that follow it.
-  constexpr double earth = 9.81;
+  constexpr double earth = 9.81;  // without gravity loads are held against it, as lengths and speeds are
   const double gravity = solid_.scene().analysis.gravity_m_per_s2;
   const double begins = 1e-4 * (gravity > 0 ? gravity : earth);
   return solid_.states()[b].acceleration.head<2>().norm() >= begins;

@@ -147,13 +147,13 @@ class FailureWatch {
   std::vector<bool> unknown_;  ///< whether it has one was not checked, at the last evaluation
   bool at_rest_ = true;
   bool begun_ = false;
-  bool rings_ = false;        ///< velocities along constrained directions may flip from step to step
-  bool strains_ = false;      ///< does anything? Else what moves is no oscillation
   double seen_s_ = 0;         ///< time of the last evaluation
   std::vector<bool> guided_;  ///< by supports at two points, or ground: its motion is not a failure
   std::vector<bool> crumbs_;
   bool loads_stay_ = false;  ///< nothing that acts changes with time: what fails would fail from the start
   std::vector<int> loose_;
+  const bool strains_;  ///< does anything?
+  const bool rings_;    ///< may velocities?
   std::vector<Failure> failures_;
 };
 
