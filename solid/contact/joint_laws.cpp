@@ -69,7 +69,10 @@ void JointLaws::add_neighbours_of_planes(const scene::Scene& scene, double touch
 
 int JointLaws::of_contact(int vertex_block, int face_plane, const Edge& on) const {
   const auto own = by_pair_.find(key(vertex_block, on.block));
-  if (own == by_pair_.end()) return on.plane != 0 ? on.plane : face_plane;
+  if (own == by_pair_.end()) {
+    if (on.plane != face_plane && !on.in_line) return 0;
+    return on.plane != 0 ? on.plane : face_plane;
+  }
   if (own->second == 0 || on.plane == 0 || on.plane != face_plane) return own->second;
   const auto& pieces = on_planes_.at(on.block);
   const bool own_joint_lies_here = std::any_of(pieces.begin(), pieces.end(), [&](const OnPlane& piece) {

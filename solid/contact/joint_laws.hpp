@@ -26,10 +26,12 @@ class JointLaws {
     int block = 0;
     int edge = 0;
     int plane = 0;
+    bool in_line = false;  ///< with the vertex's face, as both were drawn
   };
   /// Law of a vertex of a block on another's edge; the face that ends at the vertex lies on `face_plane`. Blocks that
-  /// touch during the run have the law of the edge's plane, else of the face's. If both lie on a plane that is not the
-  /// pair's own, its law replaces that of the pair: each plane's law holds along its line.
+  /// come to touch have the law of a plane on which both were drawn, the edge's first: one that falls has left its
+  /// plane. If both lie on a plane that is not the pair's own, its law replaces that of the pair: each plane's law
+  /// holds along its line.
   [[nodiscard]] int of_contact(int vertex_block, int face_plane, const Edge& on) const;
   /// Joints along one plane have a common law for blocks that slide onto it later, without their bonds. Returns the
   /// plane with the largest share of a part of a block's edge (fractions as in scene::TracePiece); 0 if half of it or

@@ -34,6 +34,17 @@ double overlap(const Point& vertex, const Point& end, const Point& a, const Poin
   return turned * over > off_m ? 0 : over;
 }
 
+/// Is the edge in the face's line, but for a thousandth of the way from one to the other: coordinates are rounded? The
+/// edge's centroid is `apart` from the face's.
+bool drawn_in_line(const ContactSide& face, const ContactSide& edge, const Point& apart) {
+  const Point span = face.to - face.from;
+  const auto is_off = [&](const Point& p) {
+    const Point way = apart + p - face.from;
+    return std::abs(cross(span, way)) > 1e-3 * span.norm() * std::max(span.norm(), way.norm());
+  };
+  return !is_off(edge.from) && !is_off(edge.to);
+}
+
 }  // namespace
 
 ContactSearch::ContactSearch(const MovingParts& parts, const JointLaws& laws, double size_m, double reach_m,
@@ -63,10 +74,13 @@ int ContactSearch::law_on(int vertex_block, std::size_t vertex, int edge_block, 
   const std::size_t before = previous(vertex, V.size());
   const double turned_in = t.dot((V[vertex] - V[before]).normalized());
   const double turned_out = t.dot((V[next(vertex, V.size())] - V[vertex]).normalized());
-  const int face_plane = planes_[at(vertex_block)][turned_in < turned_out ? before : vertex];
+  const std::size_t face = turned_in < turned_out ? before : vertex;
+  const ContactSide& at_face = parts_.contact_outlines[at(vertex_block)][face];
+  const ContactSide& at_edge = parts_.contact_outlines[at(edge_block)][edge];
+  const Point apart = parts_.blocks[at(at_edge.part)].centroid - parts_.blocks[at(at_face.part)].centroid;
   return laws_.of_contact(
-      vertex_block, face_plane,
-      {edge_block, parts_.contact_outlines[at(edge_block)][edge].described_edge, planes_[at(edge_block)][edge]});
+      vertex_block, planes_[at(vertex_block)][face],
+      {edge_block, at_edge.described_edge, planes_[at(edge_block)][edge], drawn_in_line(at_face, at_edge, apart)});
 }
 
 void ContactSearch::update(const std::vector<Placement>& placements, std::vector<ContactPoint>& contacts) {
@@ -185,6 +199,7 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
       continue;
     }
     take(*heir, was);
+    if (was.state != ContactState::open) heir->law = was.law;  // what bears keeps it
     found_.inherited[static_cast<std::size_t>(heir - found_.all.begin())] = 1;
     if (was.state == ContactState::open && openings_.slips_on(was)) heir->slip_m = openings_.slip_since(was);
     if (was.state == ContactState::open) continue;

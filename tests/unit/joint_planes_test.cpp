@@ -97,5 +97,30 @@ TEST(JointPlanes, ALongGroundIsNoPlaneBesideItsJoint) {
   EXPECT_NE(solid.laws().plane_of(10, 0, 0, 1), 0);
 }
 
+/// It had the friction of the ledge's plane for the rest of the run, from its own face on the ground's edges and from
+/// the ground's corners on its face. So long as it slides in the plane's line, it has it.
+TEST(JointPlanes, WhatFallsOffItsPlaneHasTheDefaultLawWhereItLands) {
+  for (const double drop_m : {0.0, 0.1}) {
+    std::string text = slope(0, 1.2, 30);
+    text = text.substr(0, text.rfind("[[block]]")) + block("ledge", -3, 0, -1, drop_m, true) +
+           block("slider", -1.5, -0.5, drop_m, drop_m + 0.2, false) + "initial_velocity_m_per_s = [4, 0]\n" +
+           joint("slider", "ledge", 5);
+    const scene::Scene read = scene::read_text(text, "s.toml", {}).scene;
+    Solid solid(read);
+    int bear = 0;
+    for (double time_s = 0; time_s < 1.2; time_s += 0.1) {
+      solid.advance(time_s, time_s + 0.1, {}, {});
+      for (const ContactPoint& c : solid.contacts()) {
+        const auto [ground, slider] = c.pair();
+        if (c.state == ContactState::open || slider != 9 || ground >= 8) continue;
+        ++bear;
+        EXPECT_NEAR(std::atan(solid.laws()[c.law].friction) * 180 / std::numbers::pi, drop_m > 0 ? 30 : 5, 1e-9)
+            << "at " << time_s << " s on piece " << ground << ", " << drop_m << " m below";
+      }
+    }
+    EXPECT_GT(bear, 10) << drop_m;
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::solid::joint_planes_test
