@@ -66,15 +66,49 @@ std::vector<double> pieces(const Side& side, const std::vector<Side>& others) {
   return at;
 }
 
-}  // namespace
-
-double overlap_m(const std::vector<Point>& a, const std::vector<Point>& b, double known_m) {
+/// What two outlines' boxes have in common.
+Box common_box(const std::vector<Point>& a, const std::vector<Point>& b) {
   const auto box_of = [](const std::vector<Point>& outline) {
     Box box;
     for (const Point& p : outline) box.extend(p);
     return box;
   };
-  const Box common = box_of(a).intersection(box_of(b));
+  return box_of(a).intersection(box_of(b));
+}
+
+bool is_convex(const std::vector<Point>& outline) {
+  constexpr double straight = 1e-9;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Point in = outline[i] - outline[previous(i, outline.size())];
+    const Point out = outline[next(i, outline.size())] - outline[i];
+    if (cross(in, out) < -straight * in.norm() * out.norm()) return false;
+  }
+  return true;
+}
+
+/// The least shift across one of a's sides that takes b off it, at most `most_m`; less than `known_m` is enough.
+double shift_off_m(const std::vector<Point>& a, const std::vector<Point>& b, double most_m, double known_m) {
+  for (std::size_t i = 0; i < a.size() && most_m > known_m; ++i) {
+    const Point along = (a[next(i, a.size())] - a[i]).normalized();
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const Point& p : b) deepest = std::max(deepest, cross(along, p - a[i]));
+    most_m = std::min(most_m, deepest);
+  }
+  return most_m;
+}
+
+}  // namespace
+
+double parting_shift_m(const std::vector<Point>& a, const std::vector<Point>& b, double known_m) {
+  if (!is_convex(a) || !is_convex(b)) return overlap_m(a, b, known_m);
+  const Box common = common_box(a, b);
+  if (common.isEmpty() || common.sizes().minCoeff() <= known_m) return known_m;
+  const double off_a_m = shift_off_m(a, b, std::numeric_limits<double>::infinity(), known_m);
+  return std::max(known_m, shift_off_m(b, a, off_a_m, known_m));
+}
+
+double overlap_m(const std::vector<Point>& a, const std::vector<Point>& b, double known_m) {
+  const Box common = common_box(a, b);
   double deepest = known_m;
   if (common.isEmpty() || common.sizes().minCoeff() <= deepest) return deepest;
   if (parted(a, b, known_m) || parted(b, a, known_m)) return deepest;

@@ -12,4 +12,8 @@ namespace blockweir::solid {
 /// [m]. `known_m` if it is no more than that.
 [[nodiscard]] double overlap_m(const std::vector<Point>& a, const std::vector<Point>& b, double known_m);
 
+/// The least shift that parts two convex outlines [m]: a tip in a block's foot is near its sole, and yet deep in it. Of
+/// others, how far they overlap. `known_m` if it is no more than that.
+[[nodiscard]] double parting_shift_m(const std::vector<Point>& a, const std::vector<Point>& b, double known_m);
+
 }  // namespace blockweir::solid

@@ -107,7 +107,7 @@ double ContactSearch::overlap_m(const std::vector<Placement>& placements, double
   for (std::size_t b = 0; b < outlines_.all().size(); ++b) outlines_.move(b, placements);
   double deepest_m = known_m;
   for (const auto& [a, b] : pairs_.all()) {
-    deepest_m = blockweir::solid::overlap_m(outlines_.of(a), outlines_.of(b), deepest_m);
+    deepest_m = parting_shift_m(outlines_.of(a), outlines_.of(b), deepest_m);
   }
   return deepest_m;
 }

@@ -13,7 +13,8 @@ namespace blockweir::solid::expect {
 bool is_label(const std::string& quantity);
 
 /// "invariants": "hold", or "energy made" if a run produced more than 1e-5 of its energy and of that of a fall by the
-/// model's size, or "in each other" if blocks overlapped by more than 1e-4 of the model's size. "stability": "grows" if
+/// model's size, or "in each other" if blocks overlapped by more than 1e-4 of the model's size and what corners may
+/// pass over where blocks strain or contacts are springs. "stability": "grows" if
 /// the exchange produces energy, otherwise "stable". "mode": failure mode of the block (for a joint: the upper one), or
 /// of the first failure if `of` is empty; "moving" if blocks moved at the run's end; otherwise "stands".
 std::string label(const Outcome& outcome, const scene::Expectation& expectation);

@@ -25,19 +25,34 @@ std::string residual_warning(const scene::Scene& scene, const Counts& counts) {
       counts.residual_m, most * scene.analysis.failure_displacement_m, most, scene.analysis.step_s);
 }
 
+/// What brings blocks that were in each other apart, and why.
+std::string overlap_remedy(const expect::Outcome& outcome) {
+  const scene::Scene& scene = outcome.solid.scene();
+  const double give_m = outcome.solid.model().give_under_weight_m;
+  const std::string other = ", or take formulation = \"augmented-lagrangian\" in [contact]";
+  if (scene.contact.formulation == scene::ContactFormulation::penalty) {
+    const auto& stated = scene.contact.stiffness_n_per_m2;
+    const std::string chosen = stated ? fmt::format("the scene has chosen {:.3g} N/m2", *stated)
+                                      : "the scene states none, and the default is 40 times the largest modulus";
+    return "raise [contact] stiffness_n_per_m2, of the springs at contacts (" + chosen + ")" + other;
+  }
+  const bool solves_for_forces = scene.contact.formulation == scene::ContactFormulation::lagrange_multiplier;
+  const std::string remedy =
+      fmt::format("shorten [analysis] step_s (now {:.3g})", scene.analysis.step_s) + (solves_for_forces ? other : "");
+  if (give_m == 0) return remedy;
+  const std::string stiffer = fmt::format(
+      "blocks strain, and their corners may be in each other by up to {:.3g} m, less with a stiffer material; state "
+      "rigid = \"all\" in [analysis] where strains do not matter",
+      give_m);
+  return outcome.deepest_m() <= give_m ? stiffer : remedy + "; " + stiffer;
+}
+
 /// Overlaps beyond what counts as one.
 std::string penetration_warning(const expect::Outcome& outcome) {
   if (outcome.deepest_m() <= outcome.most_penetration_m()) return {};
-  const scene::Scene& scene = outcome.solid.scene();
-  const std::string shorter = fmt::format("shorten [analysis] step_s (now {:.3g})", scene.analysis.step_s);
-  const std::string remedy = scene.contact.formulation == scene::ContactFormulation::penalty
-                                 ? "raise [contact] stiffness_n_per_m2, of the springs at contacts"
-                             : scene.analysis.rigid == scene::Rigid::all
-                                 ? shorter
-                                 : shorter + ", or state rigid = \"all\" in [analysis] where strains do not matter";
   return fmt::format(
       "blocks were in each other by up to {:.3g} m; expected at most {:.3g} m, 1e-4 of the model's size; {}",
-      outcome.deepest_m(), outcome.most_penetration_m(), remedy);
+      outcome.deepest_m(), outcome.most_penetration_m(), overlap_remedy(outcome));
 }
 
 json counts_of(const Solid& solid) {

@@ -28,15 +28,12 @@ double until_turned(const Model& model, const State& state) {
   return ContactSearch::most_turn / fastest;
 }
 
-/// Of a fall, by the outlines: contacts measure only what the search has seen. What springs and strains give way is no
-/// overlap.
+/// Of a fall, by the outlines: contacts measure only what the search has seen, and leave out what strains give way.
+/// Blocks that are in each other may go on into each other as they come to rest.
 void look_at_overlaps(StepWorkspace& step) {
-  if (!step.trial.falls()) return;
+  if (!step.trial.falls() && step.counts.overlap_m == 0) return;
   const Stopwatch watch(step.profile.search);
-  double give_m = step.model.give_under_weight_m;
-  for (const ContactPoint& c : step.state.contacts) give_m = std::max(give_m, -step.formulation->gap_under_force_m(c));
-  const double known_m = step.counts.overlap_m + give_m;
-  step.counts.overlap_m = step.state.search.overlap_m(step.state.placements, known_m) - give_m;
+  step.counts.overlap_m = step.state.search.overlap_m(step.state.placements, step.counts.overlap_m);
 }
 
 }  // namespace

@@ -86,11 +86,36 @@ TEST_F(Said, BlocksThatAreInEachOtherAreNamed) {
     const auto said = HasSubstr("WARNING blocks were in each other by up to ");
     const auto advice = HasSubstr("1e-4 of the model's size; raise [contact] stiffness_n_per_m2");
     if (stiffness == std::string("1e6")) {
-      EXPECT_THAT(text("out"), AllOf(said, advice));
+      EXPECT_THAT(text("out"), AllOf(said, advice, HasSubstr("the scene has chosen 1e+06 N/m2")));
     } else {
       EXPECT_THAT(text("out"), Not(said));
     }
   }
+}
+
+/// A stone falls on another's edge: soft stones are in each other by what their corners may pass over.
+TEST_F(Said, OverlapsOfSoftStonesNameTheStrainsAndTheOtherFormulation) {
+  const std::string heap = R"(
+analysis = { duration_s = 1, step_s = 0.005, rigid = "none" }
+joint = { friction_angle_deg = 25 }
+material.s = { youngs_modulus_pa = 1e7, poissons_ratio = 0.2, density_kg_per_m3 = 2600 }
+[[heap]]
+name = "st"
+material = "s"
+width_m = 4
+size_m = 0.4
+blocks = 30
+seed = 7630
+[[expect]]
+quantity = "invariants"
+word = "hold"
+)";
+  scene(heap);
+  ASSERT_EQ(shell(programs + "/blockweir run s.toml --out o"), 0) << text("out");
+  EXPECT_THAT(text("out"), AllOf(HasSubstr("WARNING blocks were in each other by up to "),
+                                 HasSubstr("their corners may be in each other by up to 0.00"),
+                                 HasSubstr("state rigid = \"all\" in [analysis]")));
+  EXPECT_GT(summary()["largest_overlap_m"].get<double>(), 4e-4);
 }
 
 TEST_F(Said, AWarningStandsBeforeTheRunInItsReportAndInItsSummary) {

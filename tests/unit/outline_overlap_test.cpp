@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace blockweir::solid::outline_overlap_test {
 namespace {
 
@@ -28,6 +30,16 @@ TEST(OutlineOverlap, OfWhatTouchesOrLiesInANotchIsNone) {
 
 TEST(OutlineOverlap, OfLessThanIsKnownIsNotLookedFor) {
   EXPECT_EQ(overlap_m(square, {{0.9, 0.5}, {2, 0}, {2, 1}}, 0.2), 0.2);
+}
+
+TEST(OutlineOverlap, OfATipInAFootIsTheShiftThatPartsThem) {
+  const std::vector<Point> wedge = {{0.9, 0}, {2, 0}, {2, 1}};
+  EXPECT_NEAR(parting_shift_m(square, wedge, 0), 0.1 / std::hypot(1.1, 1), 1e-12);
+  EXPECT_NEAR(parting_shift_m(wedge, square, 0), 0.1 / std::hypot(1.1, 1), 1e-12);
+  EXPECT_EQ(parting_shift_m(square, {{1, 0}, {2, 0}, {2, 1}}, 0), 0);
+  EXPECT_EQ(parting_shift_m(square, wedge, 0.2), 0.2);
+  const std::vector<Point> hollow = {{-1, -1}, {2, -1}, {2, 2}, {1.1, 2}, {1.1, -0.1}, {-1, -0.1}};
+  EXPECT_EQ(parting_shift_m(square, hollow, 0), 0);
 }
 
 }  // namespace

@@ -62,6 +62,21 @@ TEST(StrainingFalls, TipsDoNotPassThroughEachOtherStepByStep) {
   }
 }
 
+/// What strains and springs give way was told as none: 27.8 mm between two soft blocks as 0.0.
+TEST(StrainingFalls, TellHowFarBlocksAreInEachOther) {
+  const std::string stones = test::heap(30, 4);
+  scene::Scene soft = straining(stones, 1, 0.005, 1e8);
+  scene::Scene on_springs = straining(stones, 1, 0.005, 5e9);
+  on_springs.analysis.rigid = scene::Rigid::all;
+  on_springs.contact.formulation = scene::ContactFormulation::penalty;
+  on_springs.contact.stiffness_n_per_m2 = 1e8;
+  for (const scene::Scene& scene : {soft, on_springs}) {
+    const test::Fall fall = test::watched(scene);
+    EXPECT_GT(fall.overlap_m, 1e-4);
+    EXPECT_NEAR(fall.told_m, fall.overlap_m, 1e-9);
+  }
+}
+
 /// BLOCKWEIR_CAMPAIGN=N: so many in place of a few.
 TEST(StrainingFalls, OfRandomWallsAndHeapsLeaveBlocksBesideEachOther) {
   const char* asked = std::getenv("BLOCKWEIR_CAMPAIGN");

@@ -14,6 +14,7 @@ namespace blockweir::test {
 struct Fall {
   double made_over_dissipated = 0;  ///< of a wall that stands: over what a drop of all by a tenth of a metre would give
   double overlap_m = 0;             ///< the largest at any step's end
+  double told_m = 0;                ///< largest overlap as the run tells it
   double give_m = 0;                ///< that blocks which strain may be in each other
 };
 
@@ -37,6 +38,7 @@ inline Fall watched(const scene::Scene& scene) {
     }
     fall.overlap_m = std::max(fall.overlap_m, largest_overlap_m(outlines));
   }
+  fall.told_m = solid.counts().overlap_m;
   double weight = 0;
   for (const solid::Block& block : solid.blocks()) weight += block.fixed ? 0 : block.mass_per_m() * 9.81;
   fall.made_over_dissipated = made / std::max(first - last + made, 0.1 * weight);
