@@ -38,6 +38,25 @@ std::string others_text(std::size_t count) {
   return fmt::format(", and {} more block{} after it", count, count == 1 ? "" : "s");
 }
 
+/// What is below it at the run's end has no ground to come to.
+double lowest_point_m(const scene::Scene& scene) {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (const scene::Block& block : scene.blocks) {
+    for (const scene::Point& p : block.vertices) lowest_m = std::min(lowest_m, p.y());
+  }
+  return lowest_m;
+}
+
+/// Has a block that failed before any breach?
+bool have_left(const expect::Outcome& o) {
+  const double lowest_m = lowest_point_m(o.solid.scene());
+  const auto& failures = o.failure.failures();
+  return std::any_of(failures.begin(), failures.end(), [&](const Failure& f) {
+    return !is_after_breach(o, f) && std::any_of(f.blocks.begin(), f.blocks.end(),
+                                                 [&](int b) { return o.last.blocks[at(b)].centroid_m.y() < lowest_m; });
+  });
+}
+
 json failure(const expect::Outcome& o) {
   const Failure& first = o.failure.failures().front();
   json names = json::array();
@@ -70,9 +89,9 @@ json failure(const expect::Outcome& o) {
         text.empty() ? "" : "; ", farthest_m,
         is_small ? ": if that is acceptable, state a larger failure_displacement_m" : "");
   }
-  constexpr double far_ratio = 10;  // of the structure: no ground is there
+  constexpr double far_ratio = 10;  // of the structure
   if (const double farthest_m = o.failure.farthest_failed_m(counted_until_s(o));
-      farthest_m > far_ratio * o.solid.size_m() && !o.failure.rests_again()) {
+      farthest_m > far_ratio * o.solid.size_m() && have_left(o)) {
     text += fmt::format(
         "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn when the run ended: "
         "stop_at_failure = true, or a shorter duration_s, ends it sooner",
@@ -221,10 +240,7 @@ void add_rest(const expect::Outcome& outcome, json& text) {
 
 /// Where the loose blocks are at the run's end: the ground may have ended below them.
 std::string loose_end_text(const expect::Outcome& o) {
-  double lowest_m = std::numeric_limits<double>::infinity();
-  for (const scene::Block& block : o.solid.scene().blocks) {
-    for (const scene::Point& p : block.vertices) lowest_m = std::min(lowest_m, p.y());
-  }
+  const double lowest_m = lowest_point_m(o.solid.scene());
   const auto& loose = o.failure.loose();
   const auto gone =
       std::count_if(loose.begin(), loose.end(), [&](int b) { return o.last.blocks[at(b)].centroid_m.y() < lowest_m; });

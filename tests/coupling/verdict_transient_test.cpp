@@ -88,11 +88,11 @@ columns = 1
   EXPECT_THAT(failure["text"].get<std::string>(), HasSubstr(" more"));
 }
 
-/// Free fall from the ground's edge: g t2/2 after it.
+/// Free fall from the ground's edge: g t2/2 after it. Where the ground goes on the block slides on it, as far.
 TEST_F(Verdicts, OfABlockThatFallsOutOfTheModelIsSaidHowFarItHasFallenAndWhatEndsTheRunSooner) {
-  const auto doubt_at = [&](double duration_s) {
+  const auto doubt_at = [&](double duration_s, double ground_ends_m) {
     const json summary = run(fmt::format(R"(
-analysis = {{ duration_s = {}, step_s = 0.01 }}
+analysis = {{ duration_s = {0}, step_s = 0.01 }}
 joint = {{ friction_angle_deg = 5 }}
 material.stone = {{ youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }}
 water = {{ upstream_level_m = 0.9 }}
@@ -100,20 +100,21 @@ water = {{ upstream_level_m = 0.9 }}
 name = "ground"
 material = "stone"
 fixed = true
-vertices_m = [[-2, -0.5], [1.1, -0.5], [1.1, 0], [-2, 0]]
+vertices_m = [[-2, -0.5], [{1}, -0.5], [{1}, 0], [-2, 0]]
 [[block]]
 name = "wall"
 material = "stone"
 rigid = true
 vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
 )",
-                                         duration_s));
+                                         duration_s, ground_ends_m));
     EXPECT_EQ(summary["outcome"], "fails");
     return summary["failure"].value("doubt", "");
   };
-  EXPECT_THAT(doubt_at(1), testing::Not(HasSubstr("left the model")));
-  EXPECT_THAT(doubt_at(4), testing::AllOf(HasSubstr("blocks that failed have left the model"),
-                                          HasSubstr("stop_at_failure = true, or a shorter duration_s")));
+  EXPECT_THAT(doubt_at(1, 1.1), testing::Not(HasSubstr("left the model")));
+  EXPECT_THAT(doubt_at(4, 1000), testing::Not(HasSubstr("left the model")));
+  EXPECT_THAT(doubt_at(4, 1.1), testing::AllOf(HasSubstr("blocks that failed have left the model"),
+                                               HasSubstr("stop_at_failure = true, or a shorter duration_s")));
 }
 
 }  // namespace
