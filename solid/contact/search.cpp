@@ -185,7 +185,8 @@ Point ContactSearch::apart(const std::vector<Placement>& placements, const Conta
 
 /// The same contact keeps its memory and its slip anchor. Of those that are gone, each hands its force to the
 /// nearest new contact between the same two blocks that points the same way: near along all of its face, or at a flat
-/// corner it would go on to the face beyond, and leave its own without a bond.
+/// corner it would go on to the face beyond, and leave its own without a bond. Those in touch come first; one that has
+/// opened still has the bond and the slip of its joint.
 void ContactSearch::inherit(const std::vector<Placement>& placements, std::vector<ContactPoint>& old) {
   const auto take = [](ContactMemory& heir, const ContactMemory& from) { heir = from; };
   found_.inherited.assign(found_.all.size(), 0);
@@ -194,7 +195,7 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
   for (const ContactPoint& was : old) {
     const auto heir = std::lower_bound(found_.all.begin(), found_.all.end(), was, precedes);
     if (heir == found_.all.end() || !heir->same_key(was)) {
-      if (was.state != ContactState::open) gone.push_back(&was);
+      if (was.state != ContactState::open || was.has_touched()) gone.push_back(&was);
       if (openings_.slips_on(was)) parting.push_back(was);
       continue;
     }
@@ -207,6 +208,7 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     heir->anchor = was.anchor;
     heir->separation = apart(placements, *heir);
   }
+  std::stable_partition(gone.begin(), gone.end(), [](const auto* was) { return was->state != ContactState::open; });
   for (const ContactPoint* was : gone) {
     const Point& place = outlines_.vertex_of(*was);
     ContactPoint* nearest = nullptr;

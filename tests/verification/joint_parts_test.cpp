@@ -107,5 +107,45 @@ friction_angle_deg = 20
   }
 }
 
+/// The apron's tip lies on the end of the seam as drawn, and lifts by a few micrometres: the seam below bears all the
+/// same, along all of its length.
+TEST(JointParts, ASeamWhoseThinTipLiftsHasItsForces) {
+  const std::string text = R"(joint.friction_angle_deg = 24
+analysis.duration_s = 1
+material.m = { youngs_modulus_pa = 15e9, poissons_ratio = 0.25, density_kg_per_m3 = 2500 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-40, -14], [60, -14], [60, 0], [31, 0], [-3, -6], [-3, 0], [-40, 0]]
+[[block]]
+name = "slab"
+material = "m"
+vertices_m = [[-3, -6], [18, -2.2941176470588234], [18, 6], [-3, 6]]
+[[block]]
+name = "apron"
+material = "m"
+vertices_m = [[18, -2.2941176470588234], [31, 0], [18, 0]]
+[[joints]]
+name = "seam"
+between = ["rock", "apron"]
+uplift = "triangular"
+[[joints]]
+name = "steep"
+between = ["slab", "apron"]
+uplift = "none"
+[water]
+upstream_level_m = 6
+downstream_level_m = 2
+)";
+  const json answer = process::safety_answer(scene::read_text(text, "apron.toml").scene, hydrostatic::make);
+  ASSERT_EQ(answer["joint_parts"].size(), 2U) << answer;
+  const json& seam = answer["joint_parts"][answer["joint_parts"][0]["name"] == "seam" ? 0 : 1];
+  const double weight = 13 * 2.2941176470588234 / 2 * 2500 * 9.81;
+  EXPECT_NEAR(seam["length_m"].get<double>(), std::hypot(13, 2.2941176470588234), 1e-3);
+  EXPECT_GT(seam["normal_n_per_m"].get<double>(), 1e-2 * weight) << answer;
+  EXPECT_GT(seam["uplift_n_per_m"].get<double>(), 1e-1 * weight);
+}
+
 }  // namespace
 }  // namespace blockweir::test::joint_parts_test
