@@ -17,7 +17,8 @@ nlohmann::json level_answer(const scene::Scene& scene, const FluidMaker& make_fl
 enum class Capacity { limit, statics };
 
 /// The failure level by one method only, for thousands of samples: outcome, level_m, empty_m and full_m, mode, joint,
-/// head_m; is_exact for limit analysis. Throws as above.
+/// head_m; of limit analysis upper_bound, and limit_analysis_note on what it takes otherwise than the blocks. Throws as
+/// above.
 nlohmann::json capacity_answer(const scene::Scene& scene, const FluidMaker& make_fluid, Capacity by);
 
 /// The factor by which the strength of joints can be divided until the scene fails under the loads and levels of the

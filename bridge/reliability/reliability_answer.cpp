@@ -151,8 +151,9 @@ class Reliability {
                           {"lost_to_the_engine", engine_->effort().lost()}};
     for (const Outcome& row : rows_) {
       if (row.contains("trouble")) answer_["samples"]["trouble"] = row["trouble"];
-      if (row.contains("is_exact") && row["is_exact"] == false) answer_["upper_bound"] = true;
+      if (row.value("upper_bound", false)) answer_["upper_bound"] = true;
     }
+    add_note(rows_);
     answer_["curve"] = capacities.curve();
     const std::vector<double> finite = capacities.finite();
     if (finite.size() < 10 || finite.front() == finite.back()) return;
@@ -160,6 +161,16 @@ class Reliability {
     answer_["fit"]["samples"] = finite.size();
     for (const Outcome& row : rows_) {  // a stable sample may fail at any higher level: the fit is truncated
       if (row["outcome"] == "stands") answer_["fit"]["cut_off_m"] = row.value("full_m", json());
+    }
+  }
+
+  /// What limit analysis takes otherwise than the blocks, such as anchors that hold any force.
+  void add_note(const std::vector<Outcome>& by_limit) {
+    for (const Outcome& row : by_limit) {
+      if (!row.contains("limit_analysis_note")) continue;
+      const char* remedy =
+          asked_.by == CapacityBy::limit ? "; by = \"statics\" in [reliability] has anchors that stretch" : "";
+      answer_["limit_analysis_note"] = row["limit_analysis_note"].get<std::string>() + remedy;
     }
   }
 
@@ -203,24 +214,28 @@ class Reliability {
     } catch (const scene::SceneError&) {
       throw;
     } catch (const std::runtime_error& error) {
-      answer_[method] = {{"trouble", error.what() + why_level(rows)}};
+      answer_[method] = {{"trouble", trouble_of(error.what(), rows)}};
     }
   }
 
-  /// Why all of the last points have the same level, where they do.
-  static std::string why_level(const std::vector<Outcome>& rows) {
+  /// And why all of the last points have the same level, where they do. If limit analysis lets anchors hold whatever
+  /// comes, that is the cause, and higher levels or other methods are of no use.
+  [[nodiscard]] std::string trouble_of(const std::string& error, const std::vector<Outcome>& rows) const {
     const auto all = [&rows](const char* outcome) {
       return !rows.empty() &&
              std::all_of(rows.begin(), rows.end(), [&](const Outcome& row) { return row["outcome"] == outcome; });
     };
     if (all("stands")) {
-      return fmt::format(
-          "; all points there stand at {:.6g} m, the highest level that is looked at: may_overtop = true in [water] "
-          "looks for higher ones",
-          rows.front()["full_m"].get<double>());
+      const std::string where = fmt::format("all points there stand at {:.6g} m, the highest level that is looked at",
+                                            rows.front()["full_m"].get<double>());
+      if (answer_.contains("limit_analysis_note")) {
+        return fmt::format("{}: {}", where, answer_["limit_analysis_note"].get<std::string>());
+      }
+      return fmt::format("{}; {}: may_overtop = true in [water] looks for higher ones", error, where);
     }
-    return all("does not stand empty") ? "; no point there stands with an empty reservoir: see the scene's strength"
-                                       : "";
+    return error + (all("does not stand empty")
+                        ? "; no point there stands with an empty reservoir: see the scene's strength"
+                        : "");
   }
 
   /// The level as a function; for samples that are stable when full or fail when empty, the end of the range.
@@ -242,6 +257,7 @@ class Reliability {
     OutcomeRuns others(plan(other_than(asked_.by), "comparison"), *here_);
     const std::vector<Outcome> by_one = runs.make(settings(points), 0, true);
     const std::vector<Outcome> by_other = others.make(settings(points), 0, true);
+    add_note(asked_.by == CapacityBy::limit ? by_one : by_other);
     for (std::size_t i = 0; i < points.size(); ++i) {
       answer_["comparison"].push_back({{"where", names[i]},
                                        {word_of(asked_.by), level_json(by_one[i])},

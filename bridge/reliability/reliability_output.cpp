@@ -180,6 +180,9 @@ std::string comparison_text(const json& answer) {
         "        limit analysis is an upper bound here: the true level is this or lower, and the true probability this "
         "or higher\n";
   }
+  if (answer.contains("limit_analysis_note")) {
+    text += "        " + answer["limit_analysis_note"].get<std::string>() + "\n";
+  }
   return text;
 }
 

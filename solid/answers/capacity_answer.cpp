@@ -36,7 +36,7 @@ json by_limit_analysis(const scene::Scene& scene, StillWater& water) {
   const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
   const limit::LimitLevel found = limit_level(structure, dead, water_at, water.range());
   json answer = capacity_json(found.outcome, found.level_m, water.range());
-  answer["is_exact"] = structure.is_exact();
+  solid::add_what_limit_analysis_takes(structure, answer);
   if (found.outcome != Filled::fails) return answer;
   const limit::MechanismDescription words = limit::words_of(structure, found.at_it.mechanism);
   answer["mode"] = words.mode;

@@ -100,6 +100,30 @@ TEST_F(ReliabilityWords, ACorrelationMakesImportanceAnotherAndLeavesSobolOut) {
   EXPECT_FALSE(answer().contains("sobol"));
 }
 
+/// The block is tied to the base: limit analysis lets it stand up to the crest, and neither higher levels nor another
+/// method would show that its anchor stretches.
+TEST_F(ReliabilityWords, WhereAnchorsHoldAnyForceTheyAreTheCauseAndStaticsTheRemedy) {
+  const std::string anchor =
+      "[[bolt]]\nname = 'anchor'\nfrom_block = 'top'\nfrom_m = [3, 20]\nto_block = 'base'\nto_m = [3, 5]\n"
+      "youngs_modulus_pa = 200e9\narea_m2_per_m = 1e-3\nprestress_n_per_m = 0\n";
+  const std::string cause = "in limit analysis anchors hold any force: state yield_n_per_m of each [[bolt]]";
+  const std::string remedy = "; by = \"statics\" in [reliability] has anchors that stretch";
+  EXPECT_EQ(reliability({}, anchor + "[reliability]\nlevel_m = 24\nsamples = 10\nmethods = ['form']\n"), 1);
+  EXPECT_EQ(answer()["limit_analysis_note"], cause + remedy);
+  EXPECT_THAT(text("out"), HasSubstr("DIFFER  at the means; limit analysis: stands; static analysis"));
+  EXPECT_THAT(text("out"),
+              HasSubstr("NONE    by form: all points there stand at 27 m, the highest level that is looked "
+                        "at: " +
+                        cause + remedy + "\n"));
+  EXPECT_THAT(text("out"), HasSubstr("        " + cause + remedy + "\n"));
+  EXPECT_THAT(text("out"), Not(HasSubstr("may_overtop")));
+  EXPECT_EQ(
+      reliability({}, anchor + "yield_n_per_m = 1e4\n[reliability]\nlevel_m = 24\nsamples = 10\nmethods = ['form']\n"),
+      0)
+      << text("out");
+  EXPECT_THAT(text("out"), Not(HasSubstr("hold any force")));
+}
+
 TEST_F(ReliabilityWords, AnOverrideOfWhatIsDrawnIsRefused) {
   EXPECT_EQ(reliability({}, "", "--set joints.0.friction_angle_deg=10"), 2);
   EXPECT_THAT(text("out"), HasSubstr("--set joints.0.friction_angle_deg=10: error: [[random]] \"friction\" draws this "

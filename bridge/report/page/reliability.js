@@ -85,6 +85,7 @@ function showReliability(to, found) {
     table(['method', 'probability', '95 % interval', 'reliability index', 'levels computed'], methodRows(found)));
   if (samples.without_answer > 0) to.append(paragraph(`${samples.without_answer} samples have no answer, which widens the interval: as if all of them failed, or none.`, 'bad'));
   if (found.upper_bound) to.append(paragraph('Limit analysis is an upper bound here: the true level is this or lower, and the true probability this or higher.', 'bad'));
+  if (found.limit_analysis_note) to.append(paragraph(found.limit_analysis_note + '.', 'bad'));
   for (const method of ['form', 'sorm', 'importance', 'subset', 'sobol']) {
     if (found[method] && found[method].trouble) to.append(paragraph(`None by ${method}: ${found[method].trouble}.`, 'bad'));
   }
