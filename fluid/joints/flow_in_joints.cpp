@@ -53,7 +53,7 @@ void FlowInJoints::advance(const std::vector<std::vector<Point>>& outlines, cons
                            double to_s, std::size_t open_panels, wire::Load& load) {
   const OpenWater open = take_in(outlines, ground_m, moved, open_panels, load);
   note_dry_mouths(outlines, load);
-  solve(to_s);
+  solve(to_s, load);
   add_panels(open, load);
 }
 
@@ -92,7 +92,7 @@ void FlowInJoints::note_dry_mouths(const std::vector<std::vector<Point>>& outlin
       first.x() < crest.x() ? "upstream" : "downstream", level_beside(first), dry.size() == 1 ? "it" : "them");
 }
 
-void FlowInJoints::solve(double to_s) {
+void FlowInJoints::solve(double to_s, const wire::Load& load) {
   hold_drains();
   carry_over();
   const double step_s = to_s - time_s_;
@@ -117,11 +117,9 @@ void FlowInJoints::solve(double to_s) {
   fresh_ = false;
   solved_at_.clear();
   for (const Place& place : joints_.places()) solved_at_.push_back(place.at);
-  const FlowBalance now = balance();
-  const double reynolds = now.largest * scene_.water.density_kg_per_m3 / water_.viscosity_pa_s;
-  if (reynolds > highest_reynolds_) {
-    highest_reynolds_ = reynolds;
-    most_turbulent_joint_ = joints_.name(joints_.stretches()[joints_.parts()[now.largest_channel].stretch]);
+  if (const FlowBalance now = balance(); now.largest > 0) {
+    turbulence_.look(load, time_s_, now.largest * scene_.water.density_kg_per_m3 / water_.viscosity_pa_s,
+                     joints_.name(joints_.stretches()[joints_.parts()[now.largest_channel].stretch]));
   }
   const auto& nodes = joints_.network().nodes;
   without_outlet_ = !nodes.empty() &&
@@ -230,14 +228,8 @@ FlowBalance FlowInJoints::balance() const {
 }
 
 std::vector<std::string> FlowInJoints::warnings() const {
-  constexpr double laminar = 1000;  // Louis
   std::vector<std::string> warnings;
-  if (highest_reynolds_ > laminar) {
-    warnings.push_back(
-        fmt::format("flow in joint \"{}\" has a Reynolds number of {:.3g}, above {}, where the cubic law ends: it "
-                    "overestimates the flow",
-                    most_turbulent_joint_, highest_reynolds_, laminar));
-  }
+  if (const std::string warning = turbulence_.warning(scene_); !warning.empty()) warnings.push_back(warning);
   if (const std::string warning = guard_.warning(); !warning.empty()) warnings.push_back(warning);
   if (!dry_mouth_.empty()) warnings.push_back(dry_mouth_);
   if (without_outlet_) {
@@ -252,8 +244,8 @@ std::string FlowInJoints::state() const {
   std::vector<double> y;
   for (const Point& p : solved_at_) x.push_back(p.x()), y.push_back(p.y());
   return checkpoint::pack(filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
-                          time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_,
-                          dry_mouths_, dry_mouth_, flow_.state());
+                          time_s_, fresh_, turbulence_, guard_, without_outlet_, dry_mouths_, dry_mouth_,
+                          flow_.state());
 }
 
 void FlowInJoints::restore(const std::string& state) {
@@ -261,8 +253,7 @@ void FlowInJoints::restore(const std::string& state) {
   std::vector<double> y;
   std::string factor;
   checkpoint::unpack(state, filling_.pressure_pa, filling_.saturation, filling_.flow, filling_.to_air, stored_m2_, x, y,
-                     time_s_, fresh_, highest_reynolds_, most_turbulent_joint_, guard_, without_outlet_, dry_mouths_,
-                     dry_mouth_, factor);
+                     time_s_, fresh_, turbulence_, guard_, without_outlet_, dry_mouths_, dry_mouth_, factor);
   solved_at_.clear();
   for (std::size_t i = 0; i < x.size(); ++i) solved_at_.emplace_back(x[i], y[i]);
   flow_.restore(factor);

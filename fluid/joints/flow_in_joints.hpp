@@ -11,6 +11,7 @@
 #include "fluid/joints/joint_network.hpp"
 #include "fluid/joints/network_flow.hpp"
 #include "fluid/joints/transient_guard.hpp"
+#include "fluid/joints/turbulence.hpp"
 
 namespace blockweir::joints {
 
@@ -64,7 +65,7 @@ class FlowInJoints {
   OpenWater take_in(const std::vector<std::vector<Point>>& outlines, const Point& ground_m, bool moved,
                     std::size_t open_panels, const wire::Load& load);
   void note_dry_mouths(const std::vector<std::vector<Point>>& outlines, const wire::Load& load);
-  void solve(double to_s);
+  void solve(double to_s, const wire::Load& load);
   void hold_drains();
   void solve_with_drains(const std::function<void()>& solve);
   [[nodiscard]] bool close_drains_that_supply();
@@ -82,8 +83,7 @@ class FlowInJoints {
   bool fresh_ = true;
   double upstream_level_m_ = 0;
   double downstream_level_m_ = 0;
-  double highest_reynolds_ = 0;
-  std::string most_turbulent_joint_;
+  Turbulence turbulence_;
   TransientGuard guard_;
   bool without_outlet_ = false;
   std::size_t dry_mouths_ = 0;  ///< the most at one time
