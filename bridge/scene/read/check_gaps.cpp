@@ -31,6 +31,28 @@ double narrowest(const JointTrace& beside, const Block& b) {
   return gap_m;
 }
 
+/// Length of a trace between whose faces no other block lies, such as a layer of mortar.
+double open_length_m(const Scene& scene, const BlockIndex& index, const JointTrace& beside, std::size_t a,
+                     std::size_t b) {
+  constexpr int samples = 16;
+  const auto& outline = scene.blocks[b].vertices;
+  double open_m = 0;
+  for (const TracePiece& piece : beside.pieces) {
+    const auto e = static_cast<std::size_t>(piece.edge_b);
+    for (int k = 0; k < samples; ++k) {
+      const Point on_a = piece.from_m + (k + 0.5) / samples * (piece.to_m - piece.from_m);
+      const Point on_b = geometry::nearest_on_segment(on_a, outline[e], outline[(e + 1) % outline.size()]);
+      const Point between = (on_a + on_b) / 2;
+      const std::vector<std::size_t> near = index.meeting({between, between});
+      const bool filled = std::any_of(near.begin(), near.end(), [&](std::size_t c) {
+        return c != a && c != b && geometry::holds_point(scene.blocks[c].vertices, between, 0);
+      });
+      if (!filled) open_m += (piece.to_m - piece.from_m).norm() / samples;
+    }
+  }
+  return open_m;
+}
+
 /// Water between the two blocks that the scene states and the gap removes; empty if it states none.
 std::string lost_uplift(const Scene& scene, int a, int b) {
   if (scene.fluid == FluidModel::none) return {};
@@ -62,7 +84,7 @@ void check_gaps(const Scene& scene, Problems& problems) {
       const JointTrace beside = trace_joint(a, b, margin.x());
       if (beside.length_m < beside_ratio * box.size()) continue;
       const double gap_m = narrowest(beside, b);
-      if (gap_m <= touching_m) continue;
+      if (gap_m <= touching_m || open_length_m(scene, index, beside, i, j) < beside_ratio * box.size()) continue;
       problems.warning(
           problems.at(std::max(a.line, b.line)),
           fmt::format("blocks \"{}\" and \"{}\" have a gap of {:.3g} m between them near ({:.4g}, {:.4g}), "
