@@ -50,6 +50,23 @@ TEST(SceneOneCause, AWrongLevelIsNotSaidToBeMissing) {
   EXPECT_THAT(wrong, testing::Contains(testing::HasSubstr("upstream_level_m")));
 }
 
+TEST(SceneOneCause, ARefusedFrictionAngleIsNotReplacedByTheDefaultInComparisons) {
+  const std::string blocks =
+      "[[block]]\nname = \"a\"\nmaterial = \"m\"\nfixed = true\nvertices_m = [[0, 0], [2, 0], [2, 1], [0, 1]]\n"
+      "[[block]]\nname = \"b\"\nmaterial = \"m\"\nvertices_m = [[0, 1], [2, 1], [2, 2], [0, 2]]\n"
+      "[[joints]]\nname = \"j\"\nbetween = [\"a\", \"b\"]\nresidual_friction_angle_deg = 36\n";
+  const std::string law =
+      "[joint]\nfriction_angle_deg = 95\nresidual_friction_angle_deg = 34\ndilation_angle_deg = 32\ncohesion_pa = 1e4\n"
+      "tension_strength_pa = 1.5e4\n";
+  try {
+    read_text(scene_of(law + blocks), "s.toml");
+    FAIL() << "read";
+  } catch (const SceneError& error) {
+    ASSERT_EQ(error.diagnostics().size(), 1U) << error.what();
+    EXPECT_THAT(error.diagnostics()[0].text(), testing::HasSubstr("friction_angle_deg in [joint] is 95"));
+  }
+}
+
 TEST(SceneOneCause, BlocksThatOverlapAreNotSaidToBeApart) {
   const std::string two =
       "[[block]]\nname = \"a\"\nmaterial = \"m\"\nfixed = true\nvertices_m = [[0, 0], [2, 0], [2, 1], [0, 1]]\n"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <string_view>
 #include <type_traits>
@@ -101,12 +103,16 @@ const char* last_taken(const std::vector<std::string>& taken, std::initializer_l
 void read_law(TableReader& table, JointLaw& law, Reading& reading, bool& residual_given) {
   const std::vector<std::string> taken = read_keys(table, law);
   const auto last = [&](std::initializer_list<const char*> keys) { return last_taken(taken, keys); };
+  if (table.has("friction_angle_deg") && last({"friction_angle_deg"}) == nullptr) {
+    law.friction_angle_deg = std::numeric_limits<double>::quiet_NaN();  // refused: nothing is compared with the default
+  }
   if (last({"residual_friction_angle_deg"}) != nullptr) residual_given = true;
   if (!residual_given) law.residual_friction_angle_deg = law.friction_angle_deg;
   const char* bond = last({"friction_angle_deg", "residual_friction_angle_deg", "cohesion_pa", "tension_strength_pa"});
-  if (bond != nullptr) note_tension_cut_off(table, bond, law, reading.problems);
+  const bool has_friction = !std::isnan(law.friction_angle_deg);
+  if (has_friction && bond != nullptr) note_tension_cut_off(table, bond, law, reading.problems);
   const char* slope = last({"friction_angle_deg", "residual_friction_angle_deg", "dilation_angle_deg"});
-  if (slope != nullptr) refuse_dilation_beyond_friction(table, slope, law, reading.problems);
+  if (has_friction && slope != nullptr) refuse_dilation_beyond_friction(table, slope, law, reading.problems);
   read_uplift(table, law, reading);
 }
 
