@@ -175,6 +175,7 @@ int print_safety(const SafetyOptions& options) {
   // The answers are printed first: they took the time, and the disk may be full for files and pictures.
   fmt::print("{}", results::for_stdout(safety_text(cases)));
   const std::string all = json{{"load_cases", cases}}.dump(2) + "\n";
+  fs::remove(folder / "safety.json");  // so far of the first case alone: none is better than that
   results::replace_file(folder / "safety.json", all);
   if (!options.json.empty()) results::replace_file(options.json, all);
   for (const auto& draw : pictures) draw();

@@ -53,6 +53,17 @@ TEST_F(FullOutput, RunResumeAndReportSayWhatADiskDidNotTakeAndWhatToDo) {
   EXPECT_FALSE(fs::exists(folder / "page.html.new"));
 }
 
+/// The first load case's own answer has the name of all, until all are written.
+TEST_F(FullOutput, SafetyLeavesAllAnswersOrNone) {
+  const std::string safety = programs + "/blockweir safety " + cases + "monolith-slides --out s";
+  ASSERT_EQ(shell(safety), 0) << text("out");
+  const auto half_kilobytes = static_cast<long>(fs::file_size(folder / "s/safety.json") / 512);
+  EXPECT_EQ(shell(on_a_full_disk(half_kilobytes, safety) + " 2>&1 | cat"), 0);
+  EXPECT_THAT(text("out"), HasSubstr("cannot write s/safety.json"));
+  EXPECT_THAT(text("out"), HasSubstr("LOAD CASE"));
+  EXPECT_FALSE(fs::exists(folder / "s/safety.json"));
+}
+
 /// Without a summary the terminal says how far it came.
 TEST_F(FullOutput, ARunThatCannotWriteItsSummarySaysHowFarItCame) {
   std::ofstream(folder / "s.toml") << "analysis = { duration_s = 1 }\nwater = { upstream_level_m = 2 }\n"
