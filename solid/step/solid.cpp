@@ -31,7 +31,7 @@ double until_turned(const Model& model, const State& state) {
 /// Of a fall, by the outlines: contacts measure only what the search has seen, and leave out what strains give way.
 /// Blocks that are in each other may go on into each other as they come to rest.
 void look_at_overlaps(StepWorkspace& step) {
-  if (!step.trial.falls() && step.counts.overlap_m == 0) return;
+  if (!step.trial.falls() && (step.counts.overlap_m == 0 || step.trial.largest_increment() == 0)) return;
   const Stopwatch watch(step.profile.search);
   step.counts.overlap_m = step.state.search.overlap_m(step.state.placements, step.counts.overlap_m);
 }
