@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,9 @@ namespace blockweir::picture {
 using Rows = std::vector<std::vector<std::string>>;
 
 /// The complete rows of a table, column names first; empty if there is no such file. Still water writes it into the
-/// run's folder, OpenFOAM's plugin into its case.
-Rows flow_rows(const std::filesystem::path& run, const std::string& name);
+/// run's folder, OpenFOAM's plugin into its case. They end before failure, if the run's summary has one: what falls
+/// opens its joints wide, and their water says nothing of the structure.
+Rows flow_rows(const std::filesystem::path& run, const std::string& name, const nlohmann::json& summary);
 
 /// The rows of the last time, without the column names.
 Rows last_rows(const Rows& rows);

@@ -35,7 +35,7 @@ void plot(const PlotOptions& options) {
   add(snapshot_pictures(options.run, summary, ending, options.animated));
   if (options.section) add({section_picture(options.run, summary, ending)});
   add(spectrum_picture(options.run, ending));
-  add(flow_picture(options.run, ending));
+  add(flow_picture(options.run, summary, ending));
   draw(pictures, options.animated);
   for (const Picture& picture : pictures) fmt::print("{}\n", picture.file.string());
 }

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
+#include "bridge/picture/along_joint.hpp"
 #include "bridge/picture/flow_files.hpp"
 #include "bridge/picture/gnuplot.hpp"
 #include "bridge/picture/history.hpp"
@@ -25,25 +25,15 @@ std::vector<std::string> joints_of(const Rows& rows) {
   return names;
 }
 
-/// Pressure at a time over the distance from the joint's upstream end, so that a steep joint is no spike.
+/// Pressure at a time over the way along the joint from its upstream end, so that a steep joint is no spike.
 std::string pressures(const Rows& rows, double time_s, const std::string& joint) {
-  std::string text;
-  std::vector<Eigen::Vector3d> points;  // x, y [m], pressure [kPa]
+  std::vector<JointPoint> points;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i][1] != joint || std::stod(rows[i][0]) != time_s) continue;
-    points.emplace_back(number_in(rows[i][2]), number_in(rows[i][3]), number_in(rows[i][5]) / 1000);
+    points.push_back({{number_in(rows[i][2]), number_in(rows[i][3])}, number_in(rows[i][5]) / 1000});
   }
-  if (points.empty()) return text;
-  // Of the smaller x, of equal ones the higher.
-  const Eigen::Vector3d mouth = *std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() > b.y();
-  });
-  if ((points.front() - mouth).head<2>().norm() > (points.back() - mouth).head<2>().norm()) {
-    std::reverse(points.begin(), points.end());
-  }
-  for (const Eigen::Vector3d& p : points) {
-    text += fmt::format("{:.8g} {:.6g}\n", (p - mouth).head<2>().norm(), p.z());
-  }
+  std::string text;
+  for (const AlongJoint& p : along_joint(points)) text += fmt::format("{:.8g} {:.6g}\n", p.way_m, p.value);
   return text;
 }
 
@@ -102,7 +92,7 @@ Panel along_joints(const Rows& rows, const std::vector<double>& times, const His
   const std::string first = times.size() > 1 ? "; dashed: " + title(history, times.front()) : "";
   panel.commands = fmt::format(
       "set key bmargin center horizontal maxcols 2 samplen 2\nset bmargin 8\nset yrange [0:*]\nset title {}\n"
-      "set xlabel 'distance from the upstream end of the joint (m)'\n"
+      "set xlabel 'way along the joint from its upstream end (m)'\n"
       "set ylabel 'pressure in joints (kPa)'\nplot {}\nunset title\n",
       gnuplot_text(title(history, times.back()) + first), curves);
   return panel;
@@ -177,9 +167,10 @@ Panel against_laws(const Rows& rows) {
 
 }  // namespace
 
-std::vector<Picture> flow_picture(const std::filesystem::path& run, const std::string& ending) {
-  const Rows along = flow_rows(run, "joint_water.csv");
-  const Rows totals = flow_rows(run, "flow.csv");
+std::vector<Picture> flow_picture(const std::filesystem::path& run, const nlohmann::json& summary,
+                                  const std::string& ending) {
+  const Rows along = flow_rows(run, "joint_water.csv", summary);
+  const Rows totals = flow_rows(run, "flow.csv", summary);
   if (along.size() < 2 || totals.size() < 2) return {};
   std::set<std::string> joints;
   for (std::size_t i = 1; i < along.size(); ++i) joints.insert(along[i][1]);
@@ -189,7 +180,7 @@ std::vector<Picture> flow_picture(const std::filesystem::path& run, const std::s
   const Panel above =
       joints.size() <= few ? along_joints(along, times, history) : map_of_joints(along, times.back(), history);
   const Panel below = over_time(totals);
-  const Panel laws = against_laws(flow_rows(run, "joint_uplift.csv"));
+  const Panel laws = against_laws(flow_rows(run, "joint_uplift.csv", summary));
   const int panels = laws.commands.empty() ? 2 : 3;
   return {{run / ("flow" + ending), 900, 400.0 * panels,
            above.data + below.data + laws.data +

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@
 
 namespace blockweir::picture {
 
-/// The picture `flow`; none if no water flows through joints. `ending` chooses PNG or SVG.
-std::vector<Picture> flow_picture(const std::filesystem::path& run, const std::string& ending);
+/// The picture `flow`, up to failure; none if no water flows through joints. `ending` chooses PNG or SVG.
+std::vector<Picture> flow_picture(const std::filesystem::path& run, const nlohmann::json& summary,
+                                  const std::string& ending);
 
 }  // namespace blockweir::picture

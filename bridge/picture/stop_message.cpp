@@ -10,10 +10,10 @@ namespace blockweir::picture {
 
 namespace {
 
-std::string message;  // of the one StopMessage; the handler may not allocate
+std::string said_at_once;  // of the one StopMessage; the handler may not allocate
 
 extern "C" void say_and_end(int /*signal*/) {
-  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message.data(), message.size());
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, said_at_once.data(), said_at_once.size());
   ::_exit(process::stopped_status);
 }
 
@@ -34,7 +34,7 @@ void restore_stops(const struct sigaction& interrupt_before, const struct sigact
 
 StopMessage::StopMessage(const std::string& text) {
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
-  message = (terminal ? "\r\033[K" : "") + results::for_stderr(text + "\n");  // takes the place of a progress bar
+  said_at_once = (terminal ? "\r\033[K" : "") + results::for_stderr(text + "\n");  // takes the place of a progress bar
   handle_stops(say_and_end, interrupt_before_, terminate_before_);
 }
 

@@ -9,11 +9,11 @@ namespace blockweir::picture {
 
 using nlohmann::json;
 
-json flow_data(const std::filesystem::path& run) {
+json flow_data(const std::filesystem::path& run, const json& summary) {
   namespace column = uplift_column;
   constexpr std::size_t most = 20;
-  const Rows totals = flow_rows(run, "flow.csv");
-  Rows joints = last_rows(flow_rows(run, "joint_uplift.csv"));
+  const Rows totals = flow_rows(run, "flow.csv", summary);
+  Rows joints = last_rows(flow_rows(run, "joint_uplift.csv", summary));
   if (joints.empty() || totals.size() < 2) return nullptr;
   std::stable_sort(joints.begin(), joints.end(), [](const auto& a, const auto& b) {
     return number_in(a[column::uplift]) > number_in(b[column::uplift]);

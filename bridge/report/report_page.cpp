@@ -32,7 +32,7 @@ json report_data(const ReportParts& parts) {
   data["duration_s"] = parts.scene.analysis.duration_s;
   data["level"] = parts.level;
   data["safety"] = parts.safety;
-  data["flow"] = flow_data(parts.run);
+  data["flow"] = flow_data(parts.run, summary);
   data["reliability"] = parts.reliability;
   data["histories"] = histories_data(parts.run);
   data["program"] = parts.program;

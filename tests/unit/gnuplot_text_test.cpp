@@ -86,8 +86,8 @@ class GnuplotText : public OwnFolder {
     write_run(name);
     const nlohmann::json summary = {{"title", name}, {"failure", {{"time_s", 0.5}}}};
     std::vector<Picture> all = picture::series_pictures({.run = folder}, summary, ".png");
-    for (const auto& more :
-         {picture::snapshot_pictures(folder, summary, ".png", true), picture::flow_picture(folder, ".png")}) {
+    for (const auto& more : {picture::snapshot_pictures(folder, summary, ".png", true),
+                             picture::flow_picture(folder, {{"title", name}}, ".png")}) {
       all.insert(all.end(), more.begin(), more.end());
     }
     const std::array<scene::Sweep, 2> axes = {scene::Sweep{name, {"1"}}, scene::Sweep{"key", {name}}};

@@ -16,6 +16,8 @@ namespace {
 
 class ReportFlow : public OwnFolder {
  protected:
+  const nlohmann::json summary = nlohmann::json::object();
+
   /// Two moments, into a folder of the run.
   void write_tables(const std::filesystem::path& into) const {
     std::filesystem::create_directories(into);
@@ -37,7 +39,7 @@ class ReportFlow : public OwnFolder {
 TEST_F(ReportFlow, HasTheJointsOfTheEndByUpliftAndTheDrains) {
   for (const char* into : {"", "openfoam"}) {  // still water's folder, and that of OpenFOAM's plugin
     write_tables(folder / into);
-    const nlohmann::json data = picture::flow_data(folder);
+    const nlohmann::json data = picture::flow_data(folder, summary);
     EXPECT_EQ(data["time_s"], 5);
     ASSERT_EQ(data["joints"].size(), 2);
     EXPECT_EQ(data["joints"][0]["name"], "base");
@@ -47,13 +49,26 @@ TEST_F(ReportFlow, HasTheJointsOfTheEndByUpliftAndTheDrains) {
     EXPECT_EQ(data["flows"][3]["name"], "drain main gallery");
     EXPECT_EQ(data["flows"][3]["m2_per_s"], 2e-6);
     std::filesystem::remove(folder / into / "flow.csv");
-    EXPECT_TRUE(picture::flow_data(folder).is_null());
+    EXPECT_TRUE(picture::flow_data(folder, summary).is_null());
+  }
+}
+
+/// Joints that open wide in a fall say nothing of the structure.
+TEST_F(ReportFlow, EndsBeforeFailureButHasTheFirstMoment) {
+  write_tables(folder);
+  for (const double failure_s : {4.9, -1.0}) {
+    const nlohmann::json failed = {{"failure", {{"time_s", failure_s}}}};
+    const nlohmann::json data = picture::flow_data(folder, failed);
+    EXPECT_EQ(data["time_s"], 0);
+    EXPECT_EQ(data["joints"][0]["uplift_n_per_m"], 39240);
+    EXPECT_EQ(data["flows"][0]["m2_per_s"], 1e-6);
+    EXPECT_EQ(picture::flow_picture(folder, failed, ".png").front().commands.find("\n5 "), std::string::npos);
   }
 }
 
 TEST_F(ReportFlow, IsDrawnBesideTheLawsOfTheJointWithMostUplift) {
   write_tables(folder);
-  const auto pictures = picture::flow_picture(folder, ".png");
+  const auto pictures = picture::flow_picture(folder, summary, ".png");
   ASSERT_EQ(pictures.size(), 1);
   const std::string& script = pictures.front().commands;
   EXPECT_NE(script.find("layout 3,1"), std::string::npos);

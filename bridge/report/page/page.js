@@ -166,10 +166,10 @@ function writeFlow() {
   const largest = Math.max(...flow.joints.map(j => Math.abs(j.flow_m2_per_s)));
   const still = j => Math.abs(j.flow_m2_per_s) < 1e-9 * largest;  // round-off
   const perDay = q => number(86400 * q, 4);
-  chapter('section').append(element('h3', {}, `Water that flows through the joints at the end of the run, ${number(flow.time_s)} s`),
+  chapter('section').append(element('h3', {}, `Water that flows through the joints ${is(report.failure_s) ? 'before failure' : 'at the end of the run'}, at ${number(flow.time_s)} s`),
     table(['joint', 'length m', 'flow m3/day', 'Reynolds number', 'uplift kN/m', 'triangular', 'drained', 'full'],
       flow.joints.map(j => [j.name, fixed(j.length_m, 3), still(j) ? '0' : perDay(j.flow_m2_per_s), still(j) ? '0' : number(j.reynolds_number, 3), kilo(j.uplift_n_per_m), kilo(j.triangular_n_per_m), kilo(j.drained_n_per_m), kilo(j.full_n_per_m)])),
-    paragraph('The joints are as open as they were then, in a run to failure wide open; load cases take them as drawn, at their own levels. Flow and forces are per metre of dam. Beside the uplift by flow stands that of the guideline laws under the pools of that time: linear between the ends, with the drain that crosses the joint, and the higher pressure all along. The cubic law ends at a Reynolds number of about 1000.' +
+    paragraph('The joints are as open as they were then; load cases take them as drawn, at their own levels. Flow and forces are per metre of dam. Beside the uplift by flow stands that of the guideline laws under the pools of that time: linear between the ends, with the drain that crosses the joint, and the higher pressure all along. The cubic law ends at a Reynolds number of about 1000.' +
       (flow.left_out > 0 ? ` Left out are ${flow.left_out} joints of less uplift; joint_uplift.csv has all.` : ''), 'quiet'),
     table(['water', 'm3/day'], flow.flows.map(f => [f.name, perDay(f.m2_per_s)])));
 }
