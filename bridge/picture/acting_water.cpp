@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "bridge/scene/crest.hpp"
 #include "bridge/scene/joint_trace.hpp"
 #include "bridge/scene/structure_size.hpp"
+#include "bridge/scene/unnamed_joint.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -34,8 +36,9 @@ class JointNames {
                                            near * scene::structure_size_m(scene.blocks)));
     }
   }
-  /// Name of the uplift on a named joint of `block` at `place`; without a joint's name, that of the block.
-  [[nodiscard]] std::string uplift_at(int block, const Point& place) const {
+  /// Name of the uplift at `place` in the joint of `block` with `other`, as the tables have it; where the other one is
+  /// not known, that of the block.
+  [[nodiscard]] std::string uplift_at(int block, int other, const Point& place) const {
     const double near_m = near * scene::structure_size_m(scene_.blocks);
     for (std::size_t j = 0; j < traces_.size(); ++j) {
       const scene::Joint& joint = scene_.joints[j];
@@ -45,7 +48,9 @@ class JointNames {
         return "uplift in " + (joint.set.empty() ? joint.name : joint.set);
       }
     }
-    return block == unknown_block ? "uplift" : "uplift under " + scene_.blocks[at(block)].name;
+    if (block == unknown_block) return "uplift";
+    if (other == unknown_block) return "uplift under " + scene_.blocks[at(block)].name;
+    return "uplift in " + scene::unnamed_joint(scene_, block, other);
   }
 
  private:
@@ -122,41 +127,45 @@ class Faces {
   std::multimap<double, std::size_t> by_x_{};
 };
 
-/// What presses on the structure in joints: on ground all of it; between two blocks that can move, on the upper one. A
-/// bent joint has one upper block, which its upright legs press, too.
-std::vector<Panel> uplifting(const scene::Scene& scene, const json& json_panels) {
+/// With the block on the other face.
+using JointPanel = std::pair<Panel, int>;
+
+/// What presses on the structure in joints: on ground all of it; between two blocks that can move, on the upper one, in
+/// an upright joint on the one further downstream. A bent joint has one upper block, which its upright legs press, too.
+std::vector<JointPanel> uplifting(const scene::Scene& scene, const json& json_panels) {
   const std::vector<Panel> all(json_panels.begin(), json_panels.end());
   const Faces faces(scene, all);
   const auto is_fixed = [&](const Panel& p) { return p.block != unknown_block && scene.blocks[at(p.block)].fixed; };
-  std::map<std::pair<int, int>, Point> on_block_from;  // force, and its size
+  std::map<std::pair<int, int>, Eigen::Vector3d> on_block_from;  // force, and its size
   std::vector<const Panel*> opposite;
   for (const Panel& p : all) {
     opposite.push_back(faces.opposite(p));
     if (opposite.back() == nullptr) continue;
     const Point force = p.force();
-    on_block_from.try_emplace({p.block, opposite.back()->block}, Point::Zero()).first->second +=
-        Point(force.y(), force.norm());
+    on_block_from.try_emplace({p.block, opposite.back()->block}, Eigen::Vector3d::Zero()).first->second +=
+        Eigen::Vector3d(force.x(), force.y(), force.norm());
   }
-  std::vector<Panel> kept;
+  std::vector<JointPanel> kept;
   for (std::size_t i = 0; i < all.size(); ++i) {
     constexpr double round_off = 1e-9;
     if (is_fixed(all[i])) continue;
     bool counts = all[i].inwards.y() > 0;
     if (const Panel* other = opposite[i]) {
-      const Point& upwards = on_block_from.at({all[i].block, other->block});
-      counts = is_fixed(*other) || upwards.x() > round_off * upwards.y();
+      const Eigen::Vector3d& force = on_block_from.at({all[i].block, other->block});
+      const bool is_upright = std::abs(force.y()) <= round_off * force.z();
+      counts = is_fixed(*other) || (is_upright ? force.x() > 0 : force.y() > 0);
     }
-    if (counts) kept.push_back(all[i]);
+    if (counts) kept.emplace_back(all[i], opposite[i] == nullptr ? unknown_block : opposite[i]->block);
   }
   return kept;
 }
 
-/// A resultant for each named joint, and one for all that stands on other joints of a block.
+/// A resultant for each joint.
 void put_uplift(const scene::Scene& scene, const json& panels, json& list) {
   constexpr std::size_t most_named = 12;  // of a mesh of joints no picture can name each
   const JointNames names(scene);
   std::map<std::string, Pressing> parts;
-  for (const Panel& p : uplifting(scene, panels)) p.add_to(parts[names.uplift_at(p.block, p.middle())]);
+  for (const auto& [p, other] : uplifting(scene, panels)) p.add_to(parts[names.uplift_at(p.block, other, p.middle())]);
   for (const auto& [name, pressing] : parts) {
     pressing.put(parts.size() <= most_named ? name : std::string("uplift"), "uplift", list);
   }

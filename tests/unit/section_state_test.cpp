@@ -72,7 +72,7 @@ TEST(SectionState, HasTheResultantOfEveryKindOfLoad) {
   EXPECT_NEAR(force("water downstream", 0), -5000, 1e-9);
   EXPECT_NEAR(force("ice", 0), 500, 1e-9);
   EXPECT_NEAR(force("added water (Westergaard)", 0), 950, 1e-9);
-  EXPECT_NEAR(force("uplift under base", 1), 30000, 1e-9);
+  EXPECT_NEAR(force("uplift in base on ground", 1), 30000, 1e-9);
   EXPECT_EQ(state["acting"].size(), 11U) << "what presses on the ground loads no block: " << state["acting"].dump();
 }
 
@@ -80,13 +80,13 @@ TEST(SectionState, ResultantsLieWhereTheyAct) {
   const json state = state_of();
   EXPECT_NEAR(load(state, "water upstream")["arrow"][1][1].get<double>(), 2.0 / 3, 1e-12);
   EXPECT_NEAR(load(state, "silt")["arrow"][1][1].get<double>(), 1.0 / 3, 1e-12);
-  EXPECT_NEAR(load(state, "uplift under base")["at"][0].get<double>(), 1, 1e-12);
+  EXPECT_NEAR(load(state, "uplift in base on ground")["at"][0].get<double>(), 1, 1e-12);
 }
 
 TEST(SectionState, KindsHaveColoursOfTheirOwnAndStandAtTheFaceThatTheyPressOn) {
   const json state = state_of();
   std::set<std::string> colours;
-  for (const char* name : {"water upstream", "silt", "ice", "added water (Westergaard)", "uplift under base"}) {
+  for (const char* name : {"water upstream", "silt", "ice", "added water (Westergaard)", "uplift in base on ground"}) {
     EXPECT_TRUE(colours.insert(load(state, name)["colour"]).second) << name;
   }
   for (const char* name : {"water upstream", "silt", "ice", "added water (Westergaard)"}) {
@@ -171,8 +171,8 @@ TEST(SectionState, TheLegendHasLoadsWithTheirSizesAndBolts) {
   const json state = state_of();
   std::vector<std::string> labels;
   for (const json& row : state["legend"]) labels.push_back(row["label"]);
-  EXPECT_THAT(labels, testing::IsSupersetOf(
-                          {"water upstream 20 kN/m", "ice 0.5 kN/m", "uplift under base 30 kN/m", "anchor 50 kN/m"}));
+  EXPECT_THAT(labels, testing::IsSupersetOf({"water upstream 20 kN/m", "ice 0.5 kN/m",
+                                             "uplift in base on ground 30 kN/m", "anchor 50 kN/m"}));
   EXPECT_EQ(state_of({6e4})["bolts"][0]["label"], "anchor 60 kN/m") << "the force that it has now";
 }
 
@@ -224,6 +224,39 @@ between = ["deep", "rock"]
   EXPECT_NEAR(load(state, "uplift in bedding")["force"][1].get<double>(), 17e6, 1e-3);
   EXPECT_EQ(load(state, "uplift under dam")["in_view"], true);
   EXPECT_EQ(load(state, "weight")["in_view"], load(state, "weight")["arrow"][1][0].get<double>() < 20);
+}
+
+/// On both faces of an upright joint the water presses alike: what it does to the block downstream is listed, by the
+/// name that the tables have.
+TEST(SectionState, UprightJointsAndJointsWithoutANameHaveTheirUplift) {
+  const scene::Scene scene = scene::read_text(R"(
+material.stone = { youngs_modulus_pa = 1e10, poissons_ratio = 0.2, density_kg_per_m3 = 2500 }
+analysis.duration_s = 1
+[[block]]
+name = "rock"
+material = "stone"
+fixed = true
+vertices_m = [[-9, -2], [9, -2], [9, 0], [-9, 0]]
+[[block]]
+name = "slab"
+material = "stone"
+vertices_m = [[0, 0], [2, 0], [2, 1], [0, 1]]
+[[block]]
+name = "apron"
+material = "stone"
+vertices_m = [[2, 0], [5, 0], [5, 1], [2, 1]]
+[[joints]]
+name = "steep"
+between = ["slab", "apron"]
+)",
+                                              "upright")
+                                 .scene;
+  const json pressures = json::parse(R"J([{"name": "water in joints", "panels": [
+    [2, 0, 2, 1, 9000, 3000, 1], [2, 1, 2, 0, 3000, 9000, 2], [0, 0, 2, 0, 9000, 9000, 1], [2, 0, 0, 0, 9000, 9000, 0]
+    ]}])J");
+  const json state = section_state(scene, pressures, 0, json::array());
+  EXPECT_NEAR(load(state, "uplift in steep")["force"][0].get<double>(), 6000, 1e-9);
+  EXPECT_NEAR(load(state, "uplift in slab on rock")["force"][1].get<double>(), 18000, 1e-9);
 }
 
 TEST(SectionState, LargeForcesAreInMeganewtons) {
