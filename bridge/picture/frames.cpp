@@ -101,4 +101,14 @@ View view_of(const std::vector<json>& frames, double water_m) {
   return {view.left - 0.35 * size, view.right + 0.2 * size, view.bottom - 0.12 * size, view.top + 0.08 * size};
 }
 
+std::size_t blocks_beyond(const json& frame, const View& view) {
+  const json& blocks = frame["blocks"];
+  return static_cast<std::size_t>(std::count_if(blocks.begin(), blocks.end(), [&view](const json& block) {
+    if (block["fixed"].get<bool>()) return false;
+    View box;
+    include_outline(box, block);
+    return box.left < view.left || box.right > view.right || box.bottom < view.bottom || box.top > view.top;
+  }));
+}
+
 }  // namespace blockweir::picture

@@ -17,4 +17,7 @@ namespace blockweir::picture {
 /// are higher than `water_m`.
 [[nodiscard]] View view_of(const std::vector<nlohmann::json>& frames, double water_m);
 
+/// How many of the blocks that can move are not wholly in the view: what is thrown far would leave the structure a dot.
+[[nodiscard]] std::size_t blocks_beyond(const nlohmann::json& frame, const View& view);
+
 }  // namespace blockweir::picture

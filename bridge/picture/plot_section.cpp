@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "bridge/picture/frames_data.hpp"
 #include "bridge/picture/gnuplot.hpp"
@@ -65,22 +67,23 @@ class Drawing {
     const Point half = Point::Constant(3 * sheet_.per_pixel());
     for (int i = 0; i <= 40; ++i) places_.keep_free({from + i * step - half, from + i * step + half});
   }
-  /// What of it lies in the frame.
-  void line_in_view(const Point& from, const Point& to, const std::string& style) {
+  /// What of a line lies in the frame.
+  [[nodiscard]] std::optional<std::pair<Point, Point>> in_view(const Point& from, const Point& to) const {
     const Eigen::AlignedBox2d frame(Point(sheet_.view.left, sheet_.view.bottom),
                                     Point(sheet_.view.right, sheet_.view.top));
     double enters = 0;
     double leaves = 1;
     for (const int axis : {0, 1}) {
       const double way = to[axis] - from[axis];
-      if (way == 0 && (from[axis] < frame.min()[axis] || from[axis] > frame.max()[axis])) return;
+      if (way == 0 && (from[axis] < frame.min()[axis] || from[axis] > frame.max()[axis])) return std::nullopt;
       if (way == 0) continue;
       const double low = (frame.min()[axis] - from[axis]) / way;
       const double high = (frame.max()[axis] - from[axis]) / way;
       enters = std::max(enters, std::min(low, high));
       leaves = std::min(leaves, std::max(low, high));
     }
-    if (enters < leaves) line(from + enters * (to - from), from + leaves * (to - from), style);
+    if (enters >= leaves) return std::nullopt;
+    return std::pair<Point, Point>(from + enters * (to - from), from + leaves * (to - from));
   }
   void label(const Point& wanted, const std::string& text, const std::string& colour) {
     const Point size = sheet_.per_pixel() * Point(Sheet::letter * static_cast<double>(text.size()) + 10, Sheet::row);
@@ -120,8 +123,8 @@ void draw_joints(const json& joints, Drawing& drawing) {
   for (const json& joint : joints) {
     for (const json& line : joint["lines"]) {
       for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        drawing.line_in_view(point_of(line[i]), point_of(line[i + 1]),
-                             fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
+        const auto seen = drawing.in_view(point_of(line[i]), point_of(line[i + 1]));
+        if (seen) drawing.line(seen->first, seen->second, fmt::format("nohead dt 2 lw 2 lc rgb '{}'", joint_colour));
       }
     }
   }
@@ -155,12 +158,24 @@ void draw_nappe(const json& data, const json& state, Drawing& drawing) {
                fmt::format("nohead dt 3 lw 1.5 lc rgb '{}'", water_colour));
 }
 
+/// The middle of the longest leg that lies in the frame; none where nothing of the joint does.
+std::optional<Point> place_of(const json& line, const Drawing& drawing) {
+  std::optional<Point> place;
+  double longest_m = 0;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const auto seen = drawing.in_view(point_of(line[i]), point_of(line[i + 1]));
+    if (!seen || (seen->second - seen->first).norm() <= longest_m) continue;
+    longest_m = (seen->second - seen->first).norm();
+    place = (seen->first + seen->second) / 2;
+  }
+  return place;
+}
+
 /// Behind all lines are drawn, so that no text lies on one where there is room.
 void write_labels(const json& data, const json& state, Drawing& drawing) {
   for (const json& joint : data["joints"]) {
     if (!joint["labelled"].get<bool>()) continue;
-    const json& line = joint["lines"][0];
-    drawing.label((point_of(line.front()) + point_of(line.back())) / 2, joint["name"], joint_colour);
+    if (const auto place = place_of(joint["lines"][0], drawing)) drawing.label(*place, joint["name"], joint_colour);
   }
   constexpr std::size_t most = 12;  // of a mesh of joints, each with its uplift, the legend must do
   const auto of_kind = [&](const json& kind) {

@@ -120,8 +120,9 @@ class Series {
       curves.letters = std::max(curves.letters, more.size());
     }
     const std::string range = axis.rest > 0 ? fmt::format("[* < -{0} : {0} < *]", axis.rest) : "[*:*]";
-    return {fmt::format("{}set key outside right top samplen 2\nset ylabel '{}'\nset yrange {}\nplot {}\n", curves.data,
-                        axis.label, range, curves.plots),
+    return {fmt::format("{}set key outside right top samplen 2\nset offsets 0,0,graph 0.03,graph 0.03\nset ylabel "
+                        "'{}'\nset yrange {}\nplot {}\n",
+                        curves.data, axis.label, range, curves.plots),
             curves.letters};
   }
 

@@ -15,6 +15,7 @@
 #include "bridge/picture/silt.hpp"
 #include "bridge/picture/still_pools.hpp"
 #include "bridge/process/programs.hpp"
+#include "bridge/results/counted.hpp"
 
 namespace blockweir::picture {
 namespace {
@@ -146,6 +147,9 @@ std::string moment(const json& frame, const Film& film, bool contacts, const std
                         water.empty() && above_all(frame) ? " (above all blocks)" : "");
   }
   if (breached) level = fmt::format(", breached at {:.2f} s", breached_s);
+  if (const std::size_t out = blocks_beyond(frame, view); out > 0) {
+    level += ", " + results::counted(out, "block") + " outside";
+  }
   text +=
       fmt::format("set title '{:.{}f} s{}'\nset xrange [{}:{}]\nset yrange [{}:{}]\n", frame["time_s"].get<double>(),
                   film.decimals, level, view.left, view.right, view.bottom, view.top);

@@ -30,6 +30,8 @@ TEST(FramesView, ABlockThatSlidesTwiceItsLengthStaysInThePicture) {
 TEST(FramesView, ABlockThatIsThrownFarLeavesThePicture) {
   const View view = view_of({frame_with_squares_at({0}), frame_with_squares_at({50})}, still_water);
   EXPECT_LT(view.right, 5);
+  EXPECT_EQ(blocks_beyond(frame_with_squares_at({0}), view), 0U);
+  EXPECT_EQ(blocks_beyond(frame_with_squares_at({50}), view), 1U);
 }
 
 TEST(FramesView, OneBlockOfTwentyDoesNotMakeTheOthersSmall) {
