@@ -52,5 +52,12 @@ TEST_F(FlowOpenFoam, TwoRanksHaveTheUpliftOfOne) {
   EXPECT_NEAR(uplift("two") / uplift("one"), 1, 1e-5);
 }
 
+/// What is missing ends interFoam when it is first called, be it by the rarest warning.
+TEST_F(FlowOpenFoam, ThePluginHasAllOfOursThatItCalls) {
+  const std::string plugin = programs + "/libblockweirOpenFOAM.so";
+  ASSERT_EQ(shell("nm --dynamic --demangle --undefined-only " + plugin), 0);
+  EXPECT_EQ(text("out").find("blockweir::"), std::string::npos) << text("out");
+}
+
 }  // namespace
 }  // namespace blockweir::test::openfoam_flow_test
