@@ -108,14 +108,17 @@ bool CentredForces::find_changes(IslandEquations& s) {
 }
 
 /// Farkas' lemma: no admissible forces balance the loads if these do work along a motion y that opens all contacts,
-/// slip opening them by the tangent of friction. Where one would close, its force had to be far larger than it is.
+/// slip opening them by the tangent of friction. Where some would close, it takes forces that are large against all
+/// loads.
 bool CentredForces::none_can_hold(const IslandEquations& s) const {
-  constexpr double far = 1e4;
+  constexpr double large = 100;
   double closes = 0;
   for (const Cone& c : cones_) {
-    if (!c.open()) closes += std::max({0.0, c.minus_change / c.minus - 1, c.plus_change / c.plus - 1});
+    if (c.open()) continue;
+    closes +=
+        std::max(0.0, c.minus_change / c.minus - 1) / c.minus + std::max(0.0, c.plus_change / c.plus - 1) / c.plus;
   }
-  return share_ * loads_.dot(s.correction) > far * closes;
+  return share_ * loads_.dot(s.correction) > large * loads_.cwiseAbs().sum() * closes;
 }
 
 void CentredForces::change(IslandEquations& s) {

@@ -26,7 +26,6 @@ double PushApart::lasting_m(const IslandEquations& s) const {
 
 double PushApart::left_by_sweeps_m(const IslandEquations& s) const {
   double left_m = 0;
-  if (!trial_.falls()) return left_m;
   for (const int k : s.island.contacts) {
     const double gap = formulation_->progress().contact(k).separation.x();
     left_m = std::max(left_m, formulation_->gap_under_force_m(state_.contacts[at(k)]) - gap);

@@ -16,8 +16,8 @@ class PushApart : StepPart {
   /// Of an island, after the step has been accepted: has any block been pushed?
   bool push(const IslandEquations& island);
 
-  /// In a fall: overlap that sweeps leave the contacts of an island, as they are in the trial [m]; else 0. What else
-  /// has gone so deep is left to the pushes, as that is.
+  /// Overlap that sweeps leave the contacts of an island, as they are in the trial [m]. What else has gone so deep is
+  /// left to the pushes, as that is, from the first step of a motion on.
   [[nodiscard]] double left_by_sweeps_m(const IslandEquations& island) const;
 
  private:

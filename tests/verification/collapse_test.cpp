@@ -104,7 +104,10 @@ TEST(Collapse, WedgesHoweverSharpDoNotGoIntoEachOther) {
 }
 
 TEST(Collapse, SweepsTakeOverSoonWhereNewtonsMethodLeadsAway) {
-  solid::Solid wall(test::collapse(test::wall(30, 4, 1), 0.01, 20, 30));
+  scene::Scene moves = test::collapse(test::wall(10, 2, 1), 0.01, 20, 30);
+  for (scene::Block& block : moves.blocks)
+    block.initial_velocity_m_per_s.x() = block.fixed ? 0 : 0.1;  // it does not rest
+  solid::Solid wall(moves);
   wall.advance(0, 0.01, {});
   EXPECT_GT(wall.counts().sweeps, 0);
   EXPECT_LE(wall.counts().iterations, 5) << "40 solutions before";
