@@ -127,10 +127,9 @@ TEST(FastFilling, FailsWithinAWindowOfTheLevelOfLimitAnalysis) {
 /// Where joints cross, corners pass each other. As a motion begins, sweeps leave corners in each other by nanometres:
 /// held there, 238 blocks stood 0.4 m above the level at which no forces hold them.
 TEST(FastFilling, OfAJointedDamHasNoCornersThatHoldIt) {
-  const scene::Scene scene =
-      scene::read(std::string(BLOCKWEIR_SOURCE) + "/cases/jointed-dam-falls/scene.toml",
-                  {"joint_set.bedding.spacing_m=1", "joint_set.cross joint.spacing_m=1"})
-          .scene;
+  const scene::Scene scene = scene::read(std::string(BLOCKWEIR_SOURCE) + "/cases/jointed-dam-falls/scene.toml",
+                                         {"joint_set.bedding.spacing_m=1", "joint_set.cross joint.spacing_m=1"})
+                                 .scene;
   StillWater water(scene, hydrostatic::make);
   const double limit_m = limit_level_m(scene, water).value();
   constexpr double slow_m_per_s = 2;
