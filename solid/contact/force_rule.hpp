@@ -20,6 +20,12 @@ struct ForceRule {
   bool opens = true;                                     ///< at its least normal force it has no shear either
   Eigen::Vector2d compliance = Eigen::Vector2d::Zero();  ///< m per N per metre; 0: what closes is hard
   std::array<double, 2> opening = {0, 0};                ///< d gap / d slip under shear of negative, positive sign
+
+  /// That of a dry joint that slips without opening.
+  [[nodiscard]] bool is_dry() const {
+    return cohesion == 0 && least_normal == 0 && most_normal == unbounded && compliance.isZero(0) && opening[0] == 0 &&
+           opening[1] == 0;
+  }
 };
 
 /// A force that is to be found: gap and slip that it resists, less what the trial moves beyond it [m].

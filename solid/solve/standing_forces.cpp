@@ -33,11 +33,6 @@ std::vector<int> blocks_of(const Unknowns& unknowns) {
 
 }  // namespace
 
-bool StandingForces::is_dry(const ForceRule& rule) {
-  return rule.cohesion == 0 && rule.least_normal == 0 && rule.most_normal == ForceRule::unbounded &&
-         rule.compliance.isZero(0) && rule.opening[0] == 0 && rule.opening[1] == 0;
-}
-
 StandingForces::StandingForces(const ForceSweeps& sweeps, const Unknowns& unknowns, const std::vector<Matrix6>& matrix)
     : sweeps_(sweeps),
       unknowns_(unknowns),

@@ -27,9 +27,6 @@ class StandingForces {
   [[nodiscard]] Eigen::Vector2d force(std::size_t row) const;
   [[nodiscard]] int solutions() const { return solutions_; }
 
-  /// Whether a rule is that of a dry joint that slips without opening.
-  static bool is_dry(const ForceRule& rule);
-
  private:
   /// Forces along both edges of the cone of friction: shear at its negative and at its positive bound.
   using Pairs = std::array<ComplementaryPair, 2>;

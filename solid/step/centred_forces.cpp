@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
-#include "solid/solve/standing_forces.hpp"
 #include "solid/step/moves_little.hpp"
 
 namespace blockweir::solid {
@@ -52,7 +51,7 @@ bool CentredForces::begin(IslandEquations& s) {
     const int k = s.island.contacts[i];
     const ContactPoint& c = state_.contacts[at(k)];
     const Ruled ruled = formulation_->ruled_contact(now, k, c);
-    if (!StandingForces::is_dry(ruled.rule)) return false;
+    if (!ruled.rule.is_dry()) return false;
     s.actions[i] = interaction_of(c, edge_frame(now, c), ruled.apart.y());
     cones_[i] = {.friction = ruled.rule.friction};
     if (ruled.apart.x() > formulation_->settings().penetration_tolerance_m) continue;

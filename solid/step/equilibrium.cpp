@@ -47,8 +47,8 @@ void begin_anew(StepWorkspace& step, IslandEquations& island) {
 
 Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepMode& mode, bool newton) {
   start_where_it_rests(step, island);
-  if (newton && CentredForces(step).may_hold(island, mode)) {
-    if (CentredForces(step).hold(island)) return Found::by_newton;
+  if (CentredForces centred(step); newton && centred.may_hold(island, mode)) {
+    if (centred.hold(island)) return Found::by_newton;
     begin_anew(step, island);
   }
   if (newton && find_by_newton(step, island, mode)) return Found::by_newton;

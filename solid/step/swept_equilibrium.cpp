@@ -170,22 +170,17 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
 bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
   if (s.moves_as_one() || !s.island.supports.empty() || !s.bolts.empty()) return false;
   const auto& rows = s.sweeps.rows();
-  if (!std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return StandingForces::is_dry(r.rule); })) {
+  if (!std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return r.rule.is_dry(); })) {
     return false;
   }
   return moves_little(step_, s);
 }
 
-std::vector<Matrix6> SweptEquilibrium::matrices(const IslandEquations& s) const {
-  std::vector<Matrix6> matrix;
-  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
-  return matrix;
-}
-
 /// Begins with forces by which nothing moves, if there are such. Sweeps would come to them only in the limit, and let
 /// the structure creep until then.
 void SweptEquilibrium::stand(IslandEquations& s) {
-  const std::vector<Matrix6> matrix = matrices(s);
+  std::vector<Matrix6> matrix;
+  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
   const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
   const bool rigid = s.unknowns->total == 3 * s.unknowns->blocks();

@@ -3,8 +3,6 @@
 // is bounded; whenever they stop, forces are admissible and momentum balances.
 #pragma once
 
-#include <vector>
-
 #include "solid/step/island_equations.hpp"
 #include "solid/step/step_mode.hpp"
 #include "solid/step/sweep_rows.hpp"
@@ -27,7 +25,6 @@ class SweptEquilibrium : StepPart {
   void start_again(const IslandEquations& island);
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
   [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
-  [[nodiscard]] std::vector<Matrix6> matrices(const IslandEquations& island) const;
   void stand(IslandEquations& island);
   void take_forces(IslandEquations& island);
 

@@ -84,11 +84,11 @@ TEST(StandingForces, LetATallBoxTurnOnTheCornerThatSticks) {
 }
 
 TEST(StandingForces, AreForDryJointsThatDoNotDilate) {
-  EXPECT_TRUE(StandingForces::is_dry({.friction = 0.5}));
-  EXPECT_FALSE(StandingForces::is_dry({.friction = 0.5, .cohesion = 1}));
-  EXPECT_FALSE(StandingForces::is_dry({.friction = 0.5, .least_normal = -1}));
-  EXPECT_FALSE(StandingForces::is_dry({.friction = 0.5, .opening = {0.1, 0}}));
-  EXPECT_FALSE(StandingForces::is_dry({.friction = 0.5, .compliance = {1e-9, 0}}));
+  EXPECT_TRUE(ForceRule({.friction = 0.5}).is_dry());
+  EXPECT_FALSE(ForceRule({.friction = 0.5, .cohesion = 1}).is_dry());
+  EXPECT_FALSE(ForceRule({.friction = 0.5, .least_normal = -1}).is_dry());
+  EXPECT_FALSE(ForceRule({.friction = 0.5, .opening = {0.1, 0}}).is_dry());
+  EXPECT_FALSE(ForceRule({.friction = 0.5, .compliance = {1e-9, 0}}).is_dry());
 }
 
 }  // namespace
