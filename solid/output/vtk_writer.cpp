@@ -146,6 +146,15 @@ void fill_bolts(const Frame& frame, Grid& grid) {
 VtkWriter::VtkWriter(const std::filesystem::path& folder) : files_(folder, "blocks.pvd") {}
 
 void VtkWriter::write(const Frame& frame) {
+  finish();
+  writing_ = std::async(std::launch::async, [this, frame] { write_files(frame); });
+}
+
+void VtkWriter::finish() {
+  if (writing_.valid()) writing_.get();
+}
+
+void VtkWriter::write_files(const Frame& frame) {
   int part = 0;
   const auto save = [&](const char* name, void (*fill)(const Frame&, Grid&)) {
     Grid grid;

@@ -233,6 +233,7 @@ nlohmann::json CoupledSolid::seconds() const {
 void CoupledSolid::finish(const nlohmann::json& extra, const std::string& stopped,
                           const std::vector<std::string>& more_skips) {
   record();
+  vtk_.finish();
   const expect::Outcome outcome{.solid = solid_,
                                 .first = first_.blocks.empty() ? frame_ : first_,
                                 .last = frame_,

@@ -57,6 +57,7 @@ TEST_F(VtkFiles, AreReadBackToTheBit) {
   VtkWriter writer(folder);
   writer.write(frame_at(0));
   writer.write(frame_at(1.0 / 3));
+  writer.finish();
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   auto* blocks = read(reader, folder / "frames/blocks_000001.vtu");
   ASSERT_EQ(blocks->GetNumberOfCells(), 1);
@@ -79,6 +80,7 @@ TEST_F(VtkFiles, OfJointsWithoutContactsAreOneForAllFrames) {
   writer.write(frame);
   writer.write(frame);
   writer.write(frame_at(2));
+  writer.finish();
   EXPECT_TRUE(fs::exists(folder / "frames/joints_000000.vtu"));
   EXPECT_FALSE(fs::exists(folder / "frames/joints_000001.vtu"));
   EXPECT_TRUE(fs::exists(folder / "frames/joints_000002.vtu"));
@@ -121,6 +123,7 @@ TEST_F(VtkFiles, AreXmlThroughout) {
 TEST_F(VtkFiles, AreListedInTheCollectionWithTheirTimes) {
   VtkWriter writer(folder);
   writer.write(frame_at(0.5));
+  writer.finish();
   std::ostringstream text;
   text << std::ifstream(folder / "blocks.pvd").rdbuf();
   for (const char* part :
@@ -134,6 +137,7 @@ TEST_F(VtkFiles, ThatCannotBeWrittenGiveOneClearError) {
   fs::remove_all(folder / "frames");
   try {
     writer.write(frame_at(0));
+    writer.finish();
     FAIL() << "a frame went to a folder that is gone";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("is the disk full, or the folder not writable?"));
