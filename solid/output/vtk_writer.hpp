@@ -16,8 +16,8 @@ class VtkWriter {
   /// Frames are written to `folder`/frames, the collection to `folder`/blocks.pvd.
   explicit VtkWriter(const std::filesystem::path& folder);
 
-  /// Adds a frame; its files are written beside what follows. Throws std::runtime_error if one of the frame before
-  /// could not be written.
+  /// Adds a frame. Files of many blocks are written beside what follows. Throws std::runtime_error if one of this frame
+  /// or of the one before could not be written.
   void write(const Frame& frame);
   /// Waits for the files. Throws std::runtime_error if one could not be written.
   void finish();

@@ -57,7 +57,6 @@ TEST_F(VtkFiles, AreReadBackToTheBit) {
   VtkWriter writer(folder);
   writer.write(frame_at(0));
   writer.write(frame_at(1.0 / 3));
-  writer.finish();
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   auto* blocks = read(reader, folder / "frames/blocks_000001.vtu");
   ASSERT_EQ(blocks->GetNumberOfCells(), 1);
@@ -80,7 +79,6 @@ TEST_F(VtkFiles, OfJointsWithoutContactsAreOneForAllFrames) {
   writer.write(frame);
   writer.write(frame);
   writer.write(frame_at(2));
-  writer.finish();
   EXPECT_TRUE(fs::exists(folder / "frames/joints_000000.vtu"));
   EXPECT_FALSE(fs::exists(folder / "frames/joints_000001.vtu"));
   EXPECT_TRUE(fs::exists(folder / "frames/joints_000002.vtu"));
@@ -123,7 +121,6 @@ TEST_F(VtkFiles, AreXmlThroughout) {
 TEST_F(VtkFiles, AreListedInTheCollectionWithTheirTimes) {
   VtkWriter writer(folder);
   writer.write(frame_at(0.5));
-  writer.finish();
   std::ostringstream text;
   text << std::ifstream(folder / "blocks.pvd").rdbuf();
   for (const char* part :
@@ -132,15 +129,41 @@ TEST_F(VtkFiles, AreListedInTheCollectionWithTheirTimes) {
   }
 }
 
+/// Those of many blocks are written beside what follows.
+Frame of_many_blocks(double time_s) {
+  Frame frame = frame_at(time_s);
+  frame.blocks.resize(100, frame.blocks[0]);
+  return frame;
+}
+
 TEST_F(VtkFiles, ThatCannotBeWrittenGiveOneClearError) {
+  for (const Frame& frame : {frame_at(0), of_many_blocks(0)}) {
+    VtkWriter writer(folder);
+    fs::remove_all(folder / "frames");
+    try {
+      writer.write(frame);
+      writer.finish();
+      FAIL() << "a frame went to a folder that is gone";
+    } catch (const std::runtime_error& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("is the disk full, or the folder not writable?"));
+    }
+  }
+}
+
+TEST_F(VtkFiles, OfManyBlocksAreAllThereAtTheEnd) {
+  constexpr int frames = 5;
   VtkWriter writer(folder);
-  fs::remove_all(folder / "frames");
-  try {
-    writer.write(frame_at(0));
-    writer.finish();
-    FAIL() << "a frame went to a folder that is gone";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("is the disk full, or the folder not writable?"));
+  for (int n = 0; n < frames; ++n) writer.write(of_many_blocks(n));
+  writer.finish();
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  std::ostringstream list;
+  list << std::ifstream(folder / "blocks.pvd").rdbuf();
+  for (int n = 0; n < frames; ++n) {
+    const std::string file = "blocks_00000" + std::to_string(n) + ".vtu";
+    EXPECT_THAT(list.str(), testing::HasSubstr(file));
+    auto* blocks = read(reader, folder / "frames" / file);
+    ASSERT_EQ(blocks->GetNumberOfCells(), 100);
+    EXPECT_EQ(blocks->GetPointData()->GetArray("displacement_m")->GetComponent(3, 1), n);
   }
 }
 
