@@ -172,6 +172,7 @@ void ConstrainedVelocities::settle_by_impulses(IslandEquations& s, double dt) {
     row.force.setZero();
   }
   s.sweeps.displace(beyond);
+  step_.go_on();
   s.sweeps.settle(most, unheard_m_per_s);
   const Eigen::VectorXd change = s.sweeps.displacement() - before;
   for (std::size_t k = 0; k < s.island.blocks.size(); ++k) {

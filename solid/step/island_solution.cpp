@@ -52,7 +52,7 @@ bool IslandEquations::solve_linearized() {
     if (!forces_.solve(*this)) return false;
   }
   ++counts_.iterations;
-  if (step_.meanwhile) step_.meanwhile();
+  step_.go_on();
   if (model_.scene.contact.measure_condition) {
     counts_.condition_number =
         std::max(counts_.condition_number, condition_number(forces_.any() ? forces_.dense() : system().dense()));

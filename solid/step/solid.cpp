@@ -61,7 +61,7 @@ void Solid::advance(double from_s, double to_s, PressureHistory& water, const An
     steps_.start_acceleration(water.at(from_s), from_s);
   }
   while (to_s - time > 1e-9 * largest_step) {
-    if (step_.meanwhile) step_.meanwhile();  // steps at rest solve nothing
+    step_.go_on();  // steps at rest solve nothing
     // Equal steps up to the end of the window, none longer than allowed; 1e-9 forgives round-off in the quotient.
     const double foreseen = std::max(smallest_step, until_turned(model_, state_));
     const double allowed = std::min({state_.next_dt, largest_step, foreseen});

@@ -24,7 +24,8 @@ class Solid {
   /// SolveError if there is no equilibrium.
   void settle(const std::vector<Panel>& water);
 
-  /// `meanwhile` is called at the start of each step and after each solution of a linear system, also while settling.
+  /// `meanwhile` is called at the start of each step, in its attempts, between sweeps and after each solution of a
+  /// linear system, also while settling.
   /// If it throws, the run ends, and the object must not be used any more.
   void call_meanwhile(std::function<void()> meanwhile) { step_.meanwhile = std::move(meanwhile); }
 

@@ -26,7 +26,13 @@ struct StepWorkspace {
   std::unique_ptr<Formulation> substitute;   ///< for steps that fail with Lagrange multipliers
   Counts counts;
   Profile profile;
-  std::function<void()> meanwhile;  ///< called at the start of each step and after each solution of a linear system
+  std::function<void()> meanwhile;  ///< where somebody waits
+
+  /// At the start of each attempt at a step, after each solution of a linear system, and between sweeps and pushes: a
+  /// large island may take long.
+  void go_on() const {
+    if (meanwhile) meanwhile();
+  }
 };
 
 /// Base of all parts of a step; the workspace must outlive it.

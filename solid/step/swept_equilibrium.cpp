@@ -107,7 +107,9 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
 /// Displacement in the last sweep, or in the one closest to convergence.
 double SweptEquilibrium::sweep(IslandEquations& s, int most, double enough_m) {
   const Stopwatch watch(profile_.sweeps);
+  step_.go_on();
   counts_.sweeps += s.sweeps.settle(most, enough_m);
+  step_.go_on();
   return s.sweeps.take_nearest();
 }
 

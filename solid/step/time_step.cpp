@@ -28,6 +28,7 @@ Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
 
 Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   free_upper_halves();
+  step_.go_on();
   const Stopwatch::Sample sample(timed());
   if (model_.is(scene::AnalysisKind::quasi_static)) state_.stop();
   const long touching = mode.smooth_only ? state_.touching_contacts() : 0;

@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "tests/collapse_scenes.hpp"
 #include "tests/verification/scenes.hpp"
 
 namespace blockweir::solid::sweeps_test {
@@ -50,6 +51,18 @@ TEST(Sweeps, StopsABlockThatFalls) {
   run(solid, 0.1);
   EXPECT_GT(solid.counts().swept_islands, 0);
   EXPECT_NEAR(solid.state().place(solid.contacts().front()).y(), 0, 1e-9);
+}
+
+/// Nothing is solved there: the partner had taken a dam of 4,998 bricks for one that hangs.
+TEST(Sweeps, TellOfTheirProgress) {
+  const scene::Scene scene = test::collapse(test::wall(20, 3, 1), 1, 20, 30);
+  Solid solid(scene);
+  long calls = 0;
+  solid.call_meanwhile([&] { ++calls; });
+  run(solid, 1);
+  const Counts& counts = solid.counts();
+  ASSERT_GT(counts.swept_islands, 50);
+  EXPECT_GT(calls, counts.steps + counts.iterations + 4 * counts.swept_islands);
 }
 
 }  // namespace
