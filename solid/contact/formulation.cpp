@@ -10,10 +10,20 @@
 namespace blockweir::solid {
 namespace {
 
-// What does not strain resists at a contact by its inertia alone, and a pile of it as weakly: between such blocks a
-// contact counts as so much stiffer, or sweep after sweep would be taken to share a load in the pile. Not while
-// friction lags, where stiff contacts have ranges of slip that Newton's method passes by.
-constexpr double rigid_stiffness_ratio = 1e3;
+/// Of one side of a contact.
+struct Side {
+  double flexibility = 0;
+  bool strains = true;
+};
+
+/// Resistance at a contact. What does not strain resists by its inertia alone, and a pile of it as weakly: sweep after
+/// sweep would be taken to share a load in the pile. So a contact between such blocks counts as so much stiffer, and
+/// one with a block that strains is as stiff as that.
+double stiffness_between(const Side& one, const Side& other) {
+  constexpr double rigid_stiffness_ratio = 1e3;
+  if (one.strains != other.strains) return 1 / (one.strains ? one : other).flexibility;
+  return (one.strains ? 1 : rigid_stiffness_ratio) / (one.flexibility + other.flexibility);
+}
 
 /// By which iterates judge: only forces that have converged open a bond (bonds.cpp).
 Strength iterated_strength(const JointLaws& laws, const ContactPoint& c, double normal) {
@@ -56,8 +66,11 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const double turning = axis.dot(perpendicular(placement.vector(X)));
     return quotient(Eigen::Vector3d(axis.x(), axis.y(), turning), k.topLeftCorner<3, 3>());
   };
-  const bool pile_stiffens = !settings_.friction_lags;
-  const auto strainless = [&](int block) { return frozen[at(block)] || trial.blocks[at(block)].rigid; };
+  // Stiff contacts have ranges of slip that Newton's method passes by while friction lags.
+  const auto side = [&](int block, const Point& axis, const Point& X) {
+    const bool strainless = frozen[at(block)] || trial.blocks[at(block)].rigid;
+    return Side{flexibility(block, axis, X), settings_.friction_lags || !strainless};
+  };
   progress_.make_room(island.contacts.size(), island.supports.size());
   before_.make_room(island.contacts.size(), island.supports.size());
   for_each(island.contact_ids.size(), [&](std::size_t i) {
@@ -74,9 +87,7 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     }
     const Point n = edge.n;
     progress.stiffness =
-        1 / (flexibility(c.vertex_part, n, c.vertex_at) + flexibility(c.edge_part, n, edge_point(c, c.anchor)));
-    if (pile_stiffens && strainless(c.vertex_part) && strainless(c.edge_part))
-      progress.stiffness *= rigid_stiffness_ratio;
+        stiffness_between(side(c.vertex_part, n, c.vertex_at), side(c.edge_part, n, edge_point(c, c.anchor)));
     progress.slip_force = c.multiplier.y();
     begin_contact(trial, frozen, k, c);
   });
