@@ -33,6 +33,63 @@ TEST_F(Verdicts, AQuasiStaticDamSlidesAtTheLevelOfADynamicOne) {
   EXPECT_EQ(summary["failure"]["mode"], "sliding");
 }
 
+TEST_F(Verdicts, AQuasiStaticRunEndsInFailureAndSaysWhatFollowsTheFall) {
+  const nlohmann::json summary = run(R"(
+analysis = { kind = "quasi-static", duration_s = 5, rigid = "all" }
+joint = { friction_angle_deg = 32 }
+water = { upstream_level_m = 8.37 }
+material.brick = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2200 }
+[[block]]
+name = "rock"
+material = "brick"
+fixed = true
+vertices_m = [[-20, -3], [30, -3], [30, 0], [-20, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+brick_length_m = 1
+brick_height_m = 0.5
+rows = 20
+columns = 3
+)",
+                           "--set output.frame_every_s=0.2");
+  EXPECT_EQ(summary["outcome"], "fails");
+  EXPECT_LT(summary["simulated_s"].get<double>(), 0.3);
+  EXPECT_THAT(summary["failure"].value("end", ""), HasSubstr("kind = \"dynamic\" does"));
+  EXPECT_THAT(text("out"), HasSubstr("a quasi-static analysis does not follow a fall"));
+}
+
+/// Led by 0.1 m a block pushes another along, far beyond a failure, which rests after each window.
+TEST_F(Verdicts, AQuasiStaticRunGoesOnWhereWhatIsPushedRests) {
+  const nlohmann::json summary = run(R"(
+analysis = { kind = "quasi-static", duration_s = 1, step_s = 0.05, rigid = "all" }
+material.stone = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+water = { upstream_level_m = 0.1 }
+[[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-2, -0.5], [9, -0.5], [9, 0], [-2, 0]]
+[[block]]
+name = "ram"
+material = "stone"
+vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[[block]]
+name = "pushed"
+material = "stone"
+vertices_m = [[1, 0], [2, 0], [2, 1], [1, 1]]
+[[support]]
+block = "ram"
+point_m = [0, 0]
+displacement_x_m = { from = 0, rate_per_s = 0.1 }
+[[support]]
+block = "ram"
+point_m = [0, 1]
+displacement_x_m = { from = 0, rate_per_s = 0.1 }
+)");
+  EXPECT_EQ(summary["simulated_s"], 1) << text("out");
+}
+
 TEST_F(Verdicts, WhatMovesAtTheEndHasNotBeenShownToStand) {
   Monolith dam{.friction_angle_deg = 33, .analysis = "duration_s = 0.4\nstep_s = 0.01"};
   dam.level =
