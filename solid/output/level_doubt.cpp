@@ -45,7 +45,8 @@ std::string bound_doubt(const scene::Scene& scene, const Failure& f) {
 }  // namespace
 
 std::string level_doubt(const scene::Scene& scene, const Failure& f) {
-  if (f.bound && f.joint.empty()) return "it falls from the start: nothing holds it where it is drawn";
+  if (f.bound && f.joint.empty() && f.mode != "lifting")
+    return "it falls from the start: nothing holds it where it is drawn";
   if (std::isnan(f.level_m)) return {};
   if (f.bound) return bound_doubt(scene, f);
   if (scene::level_is_constant(scene, f.downstream)) {

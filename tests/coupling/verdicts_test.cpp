@@ -2,6 +2,7 @@
 // links: nlohmann_json::nlohmann_json
 // What a run says of a structure: that it stands, fails, or moves when the run ends.
 #include "tests/coupling/verdicts.hpp"
+#include "tests/coupling/masonry_wall.hpp"
 
 namespace blockweir::test::verdicts_test {
 namespace {
@@ -52,7 +53,7 @@ brick_height_m = 0.5
 rows = 20
 columns = 3
 )",
-                           "--set output.frame_every_s=0.2");
+                                     "--set output.frame_every_s=0.2");
   EXPECT_EQ(summary["outcome"], "fails");
   EXPECT_LT(summary["simulated_s"].get<double>(), 0.3);
   EXPECT_THAT(summary["failure"].value("end", ""), HasSubstr("kind = \"dynamic\" does"));
@@ -88,6 +89,27 @@ point_m = [0, 1]
 displacement_x_m = { from = 0, rate_per_s = 0.1 }
 )");
   EXPECT_EQ(summary["simulated_s"], 1) << text("out");
+}
+
+/// By the pool's pressure below a splinter, which rests on rock as drawn, and has left it by metres after one step.
+TEST_F(Verdicts, WhatUpliftThrowsUpWithinOneStepDoesNotFall) {
+  for (const double size_m : {5e-5, 1e-4, 2e-4}) {
+    const std::string scene = fmt::format(R"(
+analysis = {{ duration_s = 0.05 }}
+joint = {{ friction_angle_deg = 30, uplift = "triangular" }}
+water = {{ upstream_level_m = 3 }}
+{}
+[[block]]
+name = "splinter"
+material = "masonry"
+vertices_m = [[8, 0], [{}, 0], [8, {}]]
+)",
+                                          masonry_wall, 8 + size_m, size_m);
+    const nlohmann::json failure = run(scene)["failure"];
+    EXPECT_EQ(failure["mode"], "lifting") << size_m << text("out");
+    EXPECT_EQ(failure["blocks"], nlohmann::json::array({"splinter"}));
+    EXPECT_THAT(failure.value("doubt", ""), testing::Not(HasSubstr("nothing holds it")));
+  }
 }
 
 TEST_F(Verdicts, WhatMovesAtTheEndHasNotBeenShownToStand) {

@@ -57,6 +57,8 @@ TEST(LevelDoubt, OfWhatMovesFromTheStartBlamesTheLevelOnlyWhereItMayBeTheCause) 
   Failure falls = slides(true);
   falls.joint.clear();
   EXPECT_EQ(level_doubt(filled(rises), falls), "it falls from the start: nothing holds it where it is drawn");
+  falls.mode = "lifting";
+  EXPECT_THAT(level_doubt(filled(rises), falls), HasSubstr("begin with a lower level"));
 }
 
 /// Of all levels: no lower one is advised once the failed blocks lie above the water.
