@@ -36,8 +36,8 @@ Failure slides(bool bound) {
 
 TEST(LevelDoubt, OfAFillingNamesTheCommandThatFindsTheStaticLevel) {
   EXPECT_EQ(level_doubt(filled(rises), slides(false)),
-            "this level depends on the speed of filling, and is good to 0.2 m; \"blockweir level SCENE\" finds the "
-            "static level");
+            "this level depends on the speed of filling, by some 0.2 m; \"blockweir level SCENE\" finds the static "
+            "level, which may differ by more, as friction depends on how the loads came: go by the lower one");
 }
 
 TEST(LevelDoubt, OfAConstantLevelIsNotOfTheSpeedOfFilling) {
