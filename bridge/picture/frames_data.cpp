@@ -38,7 +38,17 @@ std::size_t numbers_in(const json& frame) {
   return count + 7 * frame["panels"].size() + 3 * frame["contacts"].size();
 }
 
-std::vector<json> thinned(std::vector<json> frames) {
+/// The last frame up to `failure_s`, or of all (null).
+std::size_t pictured_frame(const std::vector<json>& frames, const json& failure_s) {
+  if (failure_s.is_null()) return frames.size() - 1;
+  const auto after = std::find_if(frames.begin(), frames.end(), [&](const json& frame) {
+    return frame["time_s"].get<double>() > failure_s.get<double>();
+  });
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, after - frames.begin())) - 1;
+}
+
+/// Evenly in time, with the pictured one.
+std::vector<json> thinned(std::vector<json> frames, std::size_t pictured) {
   constexpr std::size_t most_frames = 300;
   constexpr std::size_t most_numbers = 100'000;  // some 700 kB
   std::size_t all = 0;
@@ -46,8 +56,9 @@ std::vector<json> thinned(std::vector<json> frames) {
   const std::size_t fewer = std::max(frames.size() / most_frames, all / most_numbers) + 1;
   if (fewer == 1) return frames;
   std::vector<json> kept;
-  for (std::size_t i = 0; i < frames.size(); i += fewer) kept.push_back(std::move(frames[i]));
-  if ((frames.size() - 1) % fewer != 0) kept.push_back(std::move(frames.back()));
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i % fewer == 0 || i == pictured || i + 1 == frames.size()) kept.push_back(std::move(frames[i]));
+  }
   return kept;
 }
 
@@ -111,25 +122,25 @@ json page_frame(const json& frame, const View& view, const Rounded& rounded, boo
 }  // namespace
 
 json frames_data(const fs::path& run, const json& summary) {
-  const std::vector<json> frames = thinned(read_frames(run));
+  const json failure_s = summary.contains("failure") ? summary["failure"]["time_s"] : json();
+  std::vector<json> all = read_frames(run);
+  const std::size_t last_standing = pictured_frame(all, failure_s);
+  const std::vector<json> frames = thinned(std::move(all), last_standing);
   const bool still = !fs::exists(run / "openfoam");  // moving water has no pools
   const View view = view_of(frames, std::numeric_limits<double>::infinity());
   const Rounded rounded(view);
   const double breached_s =
       summary.contains("breach") ? summary["breach"]["time_s"].get<double>() : std::numeric_limits<double>::infinity();
-  const json failure_s = summary.contains("failure") ? summary["failure"]["time_s"] : json();
   json list = json::array();
-  std::size_t pictured = 0;
   for (const json& frame : frames) {
     const double time_s = frame["time_s"];
     const bool breached = time_s >= breached_s;
     list.push_back(page_frame(frame, view, rounded, still && !breached));
     list.back()["breached"] = breached;
-    if (failure_s.is_null() || time_s <= failure_s.get<double>()) pictured = list.size() - 1;
   }
   return {{"frames", list},
           {"view", {{"left", view.left}, {"right", view.right}, {"bottom", view.bottom}, {"top", view.top}}},
-          {"pictured", pictured},
+          {"pictured", pictured_frame(frames, failure_s)},
           {"failure_s", failure_s}};
 }
 

@@ -51,6 +51,8 @@ json pictured_state(const scene::Scene& scene, const std::filesystem::path& run,
   const json water = still_water(run, time_s);
   json state = section_state(scene, water.is_null() ? water_of(frame) : water, time_s, forces);
   if (water.is_null()) state["pools"] = frame["pools"];
+  const json& failure_s = frames_data["failure_s"];
+  if (failure_s.is_number() && failure_s > time_s) state["fails_later_s"] = failure_s;
   return state;
 }
 

@@ -243,8 +243,12 @@ Picture section_picture(const std::filesystem::path& run, const json& summary, c
   draw_bolts(state["bolts"], size_m, drawing);
   draw_nappe(data, state, drawing);
   write_labels(data, state, drawing);
-  const std::string title = fmt::format("{}: section at {:.4g} s{}", scene.title, state["time_s"].get<double>(),
-                                        over_the_crest_m(data, state["upstream"]) > 0 ? ", overtopped" : "");
+  const std::string later =
+      state.contains("fails_later_s")
+          ? fmt::format(", the last frame before the failure at {:.4g} s", state["fails_later_s"].get<double>())
+          : "";
+  const std::string title = fmt::format("{}: section at {:.4g} s{}{}", scene.title, state["time_s"].get<double>(),
+                                        later, over_the_crest_m(data, state["upstream"]) > 0 ? ", overtopped" : "");
   return {
       run / ("section" + ending), Sheet::width, sheet.height(),
       frame_of(sheet, gnuplot_title(shortened(title, 200), Sheet::width)) + drawing.script + legend(state["legend"])};

@@ -42,7 +42,9 @@ std::string failure_text(const json& f, const char* word) {
   } else {
     text += fmt::format("        after {} s\n", number(f["time_s"]));
   }
-  if (f.contains("doubt")) text += fmt::format("        {}\n", f["doubt"].get<std::string>());
+  for (const char* more : {"doubt", "end"}) {
+    if (f.contains(more)) text += fmt::format("        {}\n", f[more].get<std::string>());
+  }
   return text;
 }
 

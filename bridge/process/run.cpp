@@ -108,8 +108,11 @@ void complete_summary(const fs::path& folder, const std::string& fluid, RunResul
   try {
     results::replace_file(folder / "summary.json", summary.dump(2) + "\n");
   } catch (const std::exception&) {
-    if (result.trouble.empty()) throw;  // else the first trouble is the one to read
-    result.advice += std::string(result.advice.empty() ? "" : "; ") + "summary.json could not be written, either";
+    if (result.trouble.empty()) throw;                          // else the first trouble is the one to read
+    const bool is_there = fs::exists(folder / "summary.json");  // the solid's own
+    result.advice += std::string(result.advice.empty() ? "" : "; ") +
+                     (is_there ? "summary.json could not be completed, either: it is as the solid left it"
+                               : "summary.json could not be written, either");
   }
 }
 

@@ -15,8 +15,8 @@ std::vector<bool> crumbs(const std::vector<Block>& blocks) {
   }
   std::vector<bool> small(blocks.size(), false);
   if (areas.empty()) return small;
-  // Of two in the middle the smaller: of two blocks none is a crumb.
-  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>((areas.size() - 1) / 2);
+  // Of two in the middle the larger: beside a single dam a crumb would be its own measure.
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
   std::nth_element(areas.begin(), middle, areas.end());
   const double least = of_median * *middle;
   for (std::size_t b = 0; b < blocks.size(); ++b) {

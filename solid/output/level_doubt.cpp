@@ -45,7 +45,8 @@ std::string bound_doubt(const scene::Scene& scene, const Failure& f) {
 }  // namespace
 
 std::string level_doubt(const scene::Scene& scene, const Failure& f) {
-  if (f.bound && f.joint.empty()) return "it falls from the start: nothing holds it where it is drawn";
+  if (f.bound && f.joint.empty() && f.mode != "lifting")
+    return "it falls from the start: nothing holds it where it is drawn";
   if (std::isnan(f.level_m)) return {};
   if (f.bound) return bound_doubt(scene, f);
   if (scene::level_is_constant(scene, f.downstream)) {
@@ -56,12 +57,14 @@ std::string level_doubt(const scene::Scene& scene, const Failure& f) {
   constexpr double exact = 1e-3;  // of the head
   if (!(f.level_uncertainty_m > exact * std::abs(f.head_m))) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
-    return fmt::format("this level is accurate to {:.2g} m, its {} in one window: {} more slowly or shorten window_s",
+    return fmt::format("this level is read to {:.2g} m, its {} in one window: {} more slowly or shorten window_s",
                        f.level_uncertainty_m, f.falls ? "fall" : "rise", f.falls ? "empty" : "fill");
   }
-  if (scene.base_motion) return fmt::format("the ground shakes: this level is good to {:.2g} m", f.level_uncertainty_m);
-  return fmt::format("this level depends on the speed of {}, and is good to {:.2g} m; {}",
-                     f.falls ? "emptying" : "filling", f.level_uncertainty_m, at_rest_text(f));
+  if (scene.base_motion) return fmt::format("the ground shakes: this level is read to {:.2g} m", f.level_uncertainty_m);
+  return fmt::format(
+      "this level depends on the speed of {}, by some {:.2g} m; {}, which may differ by more, as friction "
+      "depends on how the loads came: go by the {} one",
+      f.falls ? "emptying" : "filling", f.level_uncertainty_m, at_rest_text(f), f.falls ? "higher" : "lower");
 }
 
 }  // namespace blockweir::solid::output

@@ -101,6 +101,10 @@ json failure(const expect::Outcome& o) {
     text += fmt::format("{}only crumbs of the drawing have failed: nothing else moves", text.empty() ? "" : "; ");
   }
   if (!text.empty()) found["doubt"] = text;
+  const scene::Analysis& analysis = o.solid.scene().analysis;
+  if (analysis.kind == scene::AnalysisKind::quasi_static && !analysis.stop_at_failure && o.failure.failed()) {
+    found["end"] = "the run ended there: a quasi-static analysis does not follow a fall; kind = \"dynamic\" does";
+  }
   return found;
 }
 

@@ -196,7 +196,8 @@ bool CoupledSolid::finished() const {
     return !solid_.state().rest.found || solid_.state().rest.steps == 1;
   }
   if (interface_energy_.growth()) return true;
-  return analysis.stop_at_failure && failure_.failed();
+  // Without velocities nothing follows a fall.
+  return failure_.failed() && (analysis.stop_at_failure || analysis.kind == scene::AnalysisKind::quasi_static);
 }
 
 std::string CoupledSolid::state() const {

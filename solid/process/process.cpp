@@ -37,7 +37,8 @@ using Clock = std::chrono::steady_clock;
 /// long window. A waiting fluid gets a sign of life after each solution.
 class Reports {
  public:
-  Reports(int fd, double duration_s) : fd_(fd), duration_s_(duration_s) {}
+  /// `checkpoints`: some are written before the process is asked to stop.
+  Reports(int fd, double duration_s, bool checkpoints) : fd_(fd), duration_s_(duration_s), checkpoints_(checkpoints) {}
 
   /// Where the fluid waits for what is solved, from now on; null: nowhere.
   void set_fluid(channel::Channel* fluid) { fluid_ = fluid; }
@@ -52,13 +53,16 @@ class Reports {
     tell_fluid(text);
     if (due()) write(fd_ >= 0 ? fmt::format("settling {}\n", solutions) : text + "\n");
   }
-  /// Throws channel::Interrupted once the process has been asked twice: whoever asks once may wait for the window's
-  /// end, where a checkpoint is.
+  /// Throws channel::Interrupted once the process has been asked twice, or once a while ago: at the window's end a
+  /// checkpoint would be written, for which whoever asks waits a little, or, where no others are written, until then.
   void solving(std::uint64_t window, double time_s, long solutions) {
-    if (channel::stop_requested_twice()) {
-      throw channel::Interrupted(fmt::format("asked twice to stop, in window {} at {:.4g} s", window, time_s));
-    }
     const auto now = Clock::now();
+    if (!channel::stop_requested()) asked_ = now;
+    const bool twice = channel::stop_requested_twice();
+    if (twice || (checkpoints_ && now - asked_ > patience)) {
+      throw channel::Interrupted(
+          fmt::format("asked{} to stop, in window {} at {:.4g} s", twice ? " twice" : "", window, time_s));
+    }
     if (now - looked_ < look_every) return;
     looked_ = now;
     if (std::exchange(window_, window) != window) window_since_ = now;
@@ -78,6 +82,7 @@ class Reports {
  private:
   static constexpr std::chrono::milliseconds look_every{20};  // solutions of few blocks come by the ten thousand
   static constexpr std::chrono::milliseconds long_window{1'000};
+  static constexpr std::chrono::seconds patience{3};
 
   void tell_fluid(const std::string& text) {
     if (fluid_ != nullptr) fluid_->send(wire::Progress{text});
@@ -95,6 +100,8 @@ class Reports {
 
   int fd_;
   double duration_s_;
+  bool checkpoints_;
+  Clock::time_point asked_ = Clock::now();  ///< to stop; the present while nobody has
   Clock::time_point last_ = Clock::now();
   Clock::time_point looked_;
   channel::Channel* fluid_ = nullptr;
@@ -150,7 +157,7 @@ class SolidRun {
         process_(process),
         start_(start),
         checkpoints_(process.folder, "solid", scene.digest, scene.output.checkpoint_every_s),
-        reports_(process.progress_fd, scene.analysis.duration_s),
+        reports_(process.progress_fd, scene.analysis.duration_s, scene.output.checkpoint_every_s > 0),
         coupled_(scene, process.folder, process.resume == 0 ? results::Begin::anew : results::Begin::where_it_stopped,
                  {.run = [&](double time_s, double level_m, double moved_m) { reports_.run(time_s, level_m, moved_m); },
                   .settling = [&](long solutions) { reports_.settling(solutions); },

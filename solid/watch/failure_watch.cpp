@@ -267,6 +267,7 @@ Failure FailureWatch::describe(std::size_t b) const {
   const MovedSince moved(solid_, displacement, times);
   const PairMotions pairs = pair_motions(moved);
   const MovingBody body = moving_body(moved, pairs, stands_, static_cast<int>(b));
+  const Mode mode = mode_of(moved, body, pairs);
   const Watched& last = watched_[b];
   const bool in_time = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest;
   const bool downstream = changing_pool(last);
@@ -280,12 +281,11 @@ Failure FailureWatch::describe(std::size_t b) const {
                   .level_uncertainty_m = nan,
                   .window_rise_m = nan,
                   .travel_m = travel(b),
-                  .mode = "falling"};
+                  .mode = mode.up ? "lifting" : "falling"};
   if (all_is_dry(failure.level_m)) failure.level_m = nan;
-  const Mode mode = mode_of(moved, body, pairs);
   const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, last.levels.reversed());
   if (joint.name.empty()) {
-    if (failure.bound) failure.level_m = nan;  // nothing has ever held it, whatever the level
+    if (failure.bound && !mode.up) failure.level_m = nan;  // nothing has ever held it, whatever the level
     return failure;
   }
   failure.joint = joint.name;

@@ -47,7 +47,7 @@ struct Failure {
   double window_rise_m = 0;  ///< the first part of it
   double travel_m = 0;       ///< when the failure was certain
   std::string mode;          ///< "sliding", "overturning", "sliding and overturning", "lifting" or "falling"
-  std::string joint;         ///< on which the body moves; empty if it falls freely
+  std::string joint;         ///< on which the body moves; empty if it falls or flies freely
   std::string turns_on;      ///< the joint that bears while `joint` opens; empty if that bears
 
   template <class Archive>

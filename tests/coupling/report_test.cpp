@@ -154,6 +154,26 @@ set = ["silt.level_m=5", "silt.submerged_density_kg_per_m3=400", "silt.pressure_
   EXPECT_THAT(seen["joints"].get<std::string>(), testing::Not(HasSubstr("which is unusual")));
 }
 
+/// The factor on the water is not that of the mechanism that is drawn; nor is the section's frame the failure's moment.
+TEST_F(Report, SaysWhichMechanismAndWhichMomentItDraws) {
+  write_scene();
+  std::ofstream(folder / "wall.toml", std::ios::app) << R"([[load_case]]
+name = "pushed over"
+set = ["point_load.0.force_n_per_m=[500e3, 0]"]
+[output]
+frame_every_s = 0.17
+)";
+  ASSERT_EQ(shell(programs + "/blockweir report wall.toml --out wall.html"), 0) << text("out");
+  const nlohmann::json seen = opened("wall.html");
+  ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
+  EXPECT_THAT(
+      seen["joints"].get<std::string>(),
+      testing::ContainsRegex("Mechanism of [^.]*pushed over[^.]*, by limit analysis: .*turns over.*As no strength "
+                             "holds it, this is the mechanism with the largest power"));
+  EXPECT_THAT(seen["section"].get<std::string>(),
+              testing::ContainsRegex("with what acts at [0-9.]+ s, the last frame before the failure at [0-9.]+ s"));
+}
+
 TEST_F(Report, WhatStandsWithALoadCaseThatMissesItsFactorIsNoPlainYes) {
   write_scene();
   std::string scene = text("wall.toml");

@@ -2,6 +2,7 @@
 // links: nlohmann_json::nlohmann_json
 // What a run says of a structure: that it stands, fails, or moves when the run ends.
 #include "tests/coupling/verdicts.hpp"
+#include "tests/coupling/masonry_wall.hpp"
 
 namespace blockweir::test::verdicts_test {
 namespace {
@@ -31,6 +32,84 @@ TEST_F(Verdicts, AQuasiStaticDamSlidesAtTheLevelOfADynamicOne) {
   ASSERT_EQ(summary["outcome"], "fails") << text("out");
   EXPECT_NEAR(summary["failure"]["level_m"].get<double>() / level, 1, 1e-4);
   EXPECT_EQ(summary["failure"]["mode"], "sliding");
+}
+
+TEST_F(Verdicts, AQuasiStaticRunEndsInFailureAndSaysWhatFollowsTheFall) {
+  const nlohmann::json summary = run(R"(
+analysis = { kind = "quasi-static", duration_s = 5, rigid = "all" }
+joint = { friction_angle_deg = 32 }
+water = { upstream_level_m = 8.37 }
+material.brick = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2200 }
+[[block]]
+name = "rock"
+material = "brick"
+fixed = true
+vertices_m = [[-20, -3], [30, -3], [30, 0], [-20, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+brick_length_m = 1
+brick_height_m = 0.5
+rows = 20
+columns = 3
+)",
+                                     "--set output.frame_every_s=0.2");
+  EXPECT_EQ(summary["outcome"], "fails");
+  EXPECT_LT(summary["simulated_s"].get<double>(), 0.3);
+  EXPECT_THAT(summary["failure"].value("end", ""), HasSubstr("kind = \"dynamic\" does"));
+  EXPECT_THAT(text("out"), HasSubstr("a quasi-static analysis does not follow a fall"));
+}
+
+/// Led by 0.1 m a block pushes another along, far beyond a failure, which rests after each window.
+TEST_F(Verdicts, AQuasiStaticRunGoesOnWhereWhatIsPushedRests) {
+  const nlohmann::json summary = run(R"(
+analysis = { kind = "quasi-static", duration_s = 1, step_s = 0.05, rigid = "all" }
+material.stone = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+water = { upstream_level_m = 0.1 }
+[[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-2, -0.5], [9, -0.5], [9, 0], [-2, 0]]
+[[block]]
+name = "ram"
+material = "stone"
+vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[[block]]
+name = "pushed"
+material = "stone"
+vertices_m = [[1, 0], [2, 0], [2, 1], [1, 1]]
+[[support]]
+block = "ram"
+point_m = [0, 0]
+displacement_x_m = { from = 0, rate_per_s = 0.1 }
+[[support]]
+block = "ram"
+point_m = [0, 1]
+displacement_x_m = { from = 0, rate_per_s = 0.1 }
+)");
+  EXPECT_EQ(summary["simulated_s"], 1) << text("out");
+}
+
+/// By the pool's pressure below a splinter, which rests on rock as drawn, and has left it by metres after one step.
+TEST_F(Verdicts, WhatUpliftThrowsUpWithinOneStepDoesNotFall) {
+  for (const double size_m : {5e-5, 1e-4, 2e-4}) {
+    const std::string scene = fmt::format(R"(
+analysis = {{ duration_s = 0.05 }}
+joint = {{ friction_angle_deg = 30, uplift = "triangular" }}
+water = {{ upstream_level_m = 3 }}
+{}
+[[block]]
+name = "splinter"
+material = "masonry"
+vertices_m = [[8, 0], [{}, 0], [8, {}]]
+)",
+                                          masonry_wall, 8 + size_m, size_m);
+    const nlohmann::json failure = run(scene)["failure"];
+    EXPECT_EQ(failure["mode"], "lifting") << size_m << text("out");
+    EXPECT_EQ(failure["blocks"], nlohmann::json::array({"splinter"}));
+    EXPECT_THAT(failure.value("doubt", ""), testing::Not(HasSubstr("nothing holds it")));
+  }
 }
 
 TEST_F(Verdicts, WhatMovesAtTheEndHasNotBeenShownToStand) {

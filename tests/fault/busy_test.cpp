@@ -76,6 +76,24 @@ TEST_F(Busy, ALongWindowSaysWhereItIsAndEndsWhereAskedTwice) {
   EXPECT_THAT(text("o/solid.log"), HasSubstr("asked twice to stop, in window 0 at "));
 }
 
+TEST_F(Busy, ALongWindowIsLeftSoonWhereAskedOnceUnlessItsCheckpointIsTheOnlyOne) {
+  for (const std::string every_s : {"60", "0"}) {
+    const pid_t pid = start_long_run("--set coupling.window_s=50 --set output.checkpoint_every_s=" + every_s);
+    const auto says = [&] { return text("log").find(" solutions so far\n") != std::string::npos; };
+    for (int wait = 0; wait < 600 && !says(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    kill(pid, SIGINT);
+    if (every_s == "0") {
+      EXPECT_EQ(end_of(pid, 6), -1) << text("log");
+      kill(pid, SIGINT);
+    }
+    EXPECT_EQ(end_of(pid, 20), 130) << text("log");
+    EXPECT_THAT(text("o/solid.log"),
+                testing::ContainsRegex(every_s == "0" ? "asked twice to stop" : "asked to stop, in window 0 at "));
+    fs::remove_all(folder / "o");
+    fs::remove(folder / "log");
+  }
+}
+
 TEST_F(Busy, AStoppedPartnerIsNamedAndLeavesACheckpoint) {
   for (const std::string victim : {"solid", "hydrostatic"}) {
     const pid_t pid = start_long_run("--quiet --set coupling.window_s=0.001 --set coupling.timeout_s=1");

@@ -75,6 +75,27 @@ TEST_F(FullOutput, ARunThatCannotWriteItsSummarySaysHowFarItCame) {
               testing::AllOf(HasSubstr("\n        it came to 0 s, at a level of 2 m\n"), HasSubstr("status 1")));
 }
 
+/// The solid writes a summary, and the launcher adds to it: what is said of it is so, whatever room there is.
+TEST_F(FullOutput, ASummaryThatLiesThereIsNotSaidToBeMissing) {
+  std::string scene = "analysis = { duration_s = 1 }\nwater = { upstream_level_m = 2 }\n";
+  scene += "joint = { friction_angle_deg = 30 }\n";
+  scene += masonry_wall;
+  bool completed = true;
+  for (int longer = 0; longer <= 140; longer += 20) {  // the room is between the sizes of the two for some
+    const std::string name = "name = \"wall";
+    std::string longer_name = scene;
+    longer_name.insert(scene.find(name) + name.size(), std::string(longer, 'l'));
+    std::ofstream(folder / "s.toml") << longer_name;
+    fs::remove_all(folder / "r");
+    EXPECT_EQ(shell(on_a_full_disk(5, programs + "/blockweir run s.toml --quiet --out r") + " 2>&1 | cat"), 0);
+    const bool is_there = fs::exists(folder / "r/summary.json");
+    const std::string said = text("out");
+    EXPECT_FALSE(is_there && said.find("summary.json could not be written, either") != std::string::npos) << said;
+    completed = completed && said.find("could not be completed, either: it is as the solid left it") == said.npos;
+  }
+  EXPECT_FALSE(completed) << "no run had a summary of the solid alone";
+}
+
 TEST_F(FullOutput, AStatusOfItsOwnStays) {
   EXPECT_EQ(full("check no-such-scene.toml"), 2);
 }

@@ -43,8 +43,10 @@ vertices_m = [[-9, -3], [50, -3], [50, 0], [-9, 0]]
 TEST(Crumbs, AreBelowATenThousandthOfTheMedianBlock) {
   EXPECT_THAT(crumbs(read_text(row_of({2, 1, 0.011}), "s.toml").scene.blocks), ElementsAre(false, false, false, false));
   EXPECT_THAT(crumbs(read_text(row_of({2, 1, 0.009}), "s.toml").scene.blocks), ElementsAre(false, false, false, true));
-  EXPECT_THAT(crumbs(read_text(row_of({2, 0.009}), "s.toml").scene.blocks), ElementsAre(false, false, false))
-      << "of two the smaller is the median";
+  EXPECT_THAT(crumbs(read_text(row_of({1, 0.011}), "s.toml").scene.blocks), ElementsAre(false, false, false));
+  EXPECT_THAT(crumbs(read_text(row_of({1, 0.009}), "s.toml").scene.blocks), ElementsAre(false, false, true))
+      << "of two the larger is the median";
+  EXPECT_THAT(crumbs(read_text(row_of({0.009}), "s.toml").scene.blocks), ElementsAre(false, false));
 }
 
 TEST(Crumbs, AreWarnedOfByTheSmallest) {

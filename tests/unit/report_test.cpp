@@ -100,6 +100,16 @@ TEST_F(ReportRun, ThinsALongOneAndKeepsItsEnd) {
   EXPECT_EQ(frames.back()["t"], 999);
 }
 
+TEST_F(ReportRun, ShowsTheLastFrameUpToTheFailureHoweverLongTheRun) {
+  for (const int count : {5, 301, 1000}) {
+    write_frames(count);
+    for (const double failure_s : {0.0, 0.5, 1.0, 2.5, 3.0, count - 1.5, count - 1.0}) {
+      const json data = frames_data(folder, {{"failure", {{"time_s", failure_s}}}});
+      EXPECT_EQ(data["frames"][data["pictured"].get<std::size_t>()]["t"], std::floor(failure_s)) << count;
+    }
+  }
+}
+
 TEST_F(ReportRun, ShowsTheEightThatMoveMost) {
   std::ofstream csv(folder / "history.csv");
   csv << "time_s,upstream_level_m";

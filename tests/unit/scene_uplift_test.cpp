@@ -40,8 +40,9 @@ TEST(SceneUplift, ADrainBeyondItsJointIsRefused) {
 
 /// The crack lies at 2 m, the reservoir rises to 3 m.
 TEST(SceneUplift, ADrainAtAHeadThatTheWaterDoesNotHaveIsWarnedOf) {
-  const auto warned = [](double head_m, const std::string& pools = "") {
-    const std::string law = fmt::format("uplift = 'drained'\ndrain_m = 1\ndrain_head_m = {}", head_m);
+  const auto warned = [](double head_m, const std::string& pools = "", double efficiency = 1) {
+    const std::string law =
+        fmt::format("uplift = 'drained'\ndrain_m = 1\ndrain_efficiency = {}\ndrain_head_m = {}", efficiency, head_m);
     std::string scene = crack(law);
     scene.insert(scene.find("[water]\n") + 8, pools);
     return testing::PrintToString(read_text(scene, "s.toml").scene.warnings);
@@ -51,6 +52,10 @@ TEST(SceneUplift, ADrainAtAHeadThatTheWaterDoesNotHaveIsWarnedOf) {
   EXPECT_THAT(warned(1.5), HasSubstr("is 1.5 m, below the joint at the drain, 2 m"));
   EXPECT_THAT(warned(4), HasSubstr("is 4 m, above the highest reservoir, 3 m"));
   EXPECT_THAT(warned(2.1, "downstream_level_m = 2.5\n"), HasSubstr("is 2.1 m, below the tailwater at the end, 2.5 m"));
+  EXPECT_THAT(warned(1.5, "", 0.01), HasSubstr("below the joint at the drain"));
+  for (const double head_m : {1.5, 2.1, 4.0}) {
+    EXPECT_THAT(warned(head_m, "downstream_level_m = 2.5\n", 0), testing::Not(HasSubstr("drain_head_m")));
+  }
 }
 
 TEST(SceneUplift, HalfADrainOrNoneIsRefused) {

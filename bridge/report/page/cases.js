@@ -70,7 +70,9 @@ function writeCases() {
   tellEach(c => (c.limit_analysis_note ? [c.limit_analysis_note] : []), (who, text) => `${upper(who)}, limit analysis: ${text}.`, 'quiet');
   tellEach(c => (!is(c.factor) && c.why_no_factor ? [c.why_no_factor] : []), (who, text) => `${upper(who)}: no factor, as ${text}.`, 'quiet');
   tellEach(c => (c.why_no_limit_analysis_factor && c.why_no_limit_analysis_factor !== c.why_no_factor ? [c.why_no_limit_analysis_factor] : []), (who, text) => `${upper(who)}: no factor by limit analysis, as ${text}.`, 'quiet');
-  tellEach(c => (c.mechanism ? [c.mechanism.text] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
+  // Where no strength suffices, the mechanism is not that with which a factor was found.
+  const ofPower = c => (c.why_no_joints ? '. As no strength holds it, this is the mechanism with the largest power for the sum of its velocities; the factor on the water is that of the mechanism that bears least, which may be another' : '');
+  tellEach(c => (c.mechanism ? [c.mechanism.text + ofPower(c)] : []), (who, text) => `Mechanism of ${who}, by limit analysis: ${text}.`, 'quiet');
   const listed = names => [names.slice(0, -1).join(', '), ...names.slice(-1)].filter(Boolean).join(' and ');
   const grownLoads = ({factor, loads, constant}) => is(factor) ? `bears ${number(factor)} times ${listed(loads)}, with ${listed(constant)} as stated`
     : `does not stand under ${listed(constant)} alone, even without ${listed(loads)}`;

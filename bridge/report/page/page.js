@@ -136,7 +136,7 @@ function writeVerdict() {
       lines.push(`It begins at a level of ${f.level_is_bound ? (f.level_falls ? 'at least ' : 'at most ') : ''}${number(f.level_m, 6)} m${f.level_falls ? ` of the ${f.pool} pool, which falls` : f.pool === 'downstream' ? ' of the downstream pool' : ''}` + (is(f.head_m) ? (f.head_m < 0 ? `, ${number(-f.head_m, 6)} m below the joint that ${f.turns_on ? 'opens' : 'failed'}` : `, a head of ${number(f.head_m, 6)} m above the joint that ${f.turns_on ? 'opens' : 'failed'}`) : '') +
         `, after ${number(f.time_s)} s` + (is(f.level_uncertainty_m) && !f.level_is_constant ? `. The speed of filling moves this level by some ${number(f.level_uncertainty_m, 2)} m.` : '.'));
     } else lines.push(`It begins after ${number(f.time_s)} s.`);
-    if (f.doubt) lines.push(f.doubt);
+    lines.push(...[f.doubt, f.end].filter(Boolean));
   }
   if (s.moving) lines.push(s.moving.text);
   lines.push(...marginsInWords(s));

@@ -172,8 +172,9 @@ function sectionFigure(report) {
   const highest = Math.max(...report.blocks.flatMap(b => b.outline.map(p => p[1])));
   const over = report.state.upstream > highest + 1e-6 * report.size_m ? ' Water above the highest block would flow over it, and is not drawn.' : '';
   const waves = report.state.waves_left_out ? ' The water is still, at the levels of the scene: waves are left out.' : '';
+  const later = is(report.state.fails_later_s) ? `, the last frame before the failure at ${number(report.state.fails_later_s)} s` : '';
   return stateFigure(report, report.state, fittingWidth(report.state.view), 14, true,
-    `Blocks as the scene draws them, with what acts at ${number(report.state.time_s)} s. Diagrams stand on the outer side of what they press on, each kind to a scale of its own; an arrow is a resultant. Uplift stands below its joint. Dashed red: joints with a name. Rock far from the structure is cut off.${waves}${over}`);
+    `Blocks as the scene draws them, with what acts at ${number(report.state.time_s)} s${later}. Diagrams stand on the outer side of what they press on, each kind to a scale of its own; an arrow is a resultant. Uplift stands below its joint. Dashed red: joints with a name. Rock far from the structure is cut off.${waves}${over}`);
 }
 
 /// A small section for each load case.

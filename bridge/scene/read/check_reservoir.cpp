@@ -107,6 +107,7 @@ void check_drains(const Reading& reading) {
   const double end_s = scene.analysis.duration_s;
   for (const Crack& crack : find_cracks(scene)) {
     if (!crack.known.drain || std::isnan(crack.known.drain->head_m)) continue;
+    if (crack.known.drain->efficiency == 0) continue;  // clogged: the head has no effect
     const double head_m = crack.known.drain->head_m;
     const auto warn = [&](const char* where, double other_m, const char* remedy) {
       reading.problems.warning(
