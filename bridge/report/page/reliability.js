@@ -39,7 +39,8 @@ function fragilityFigure(found) {
   const curve = found.curve;
   const [left, right, top, bottom] = [70, 925, 14, 270];
   let [low, high] = [curve[0].level_m, curve[curve.length - 1].level_m];
-  if (found.level_m > low - (high - low) && found.level_m < high + (high - low)) [low, high] = [Math.min(low, found.level_m), Math.max(high, found.level_m)];
+  const reach = 10 * (high - low);
+  if (found.level_m > low - reach && found.level_m < high + reach) [low, high] = [Math.min(low, found.level_m), Math.max(high, found.level_m)];
   const edge = 0.03 * (high - low) || 0.5;
   [low, high] = [low - edge, high + edge];
   const x = level => left + (level - low) / (high - low) * (right - left);
@@ -55,11 +56,12 @@ function fragilityFigure(found) {
   parts.push(element('polygon', {points: [...curve.map(c => at(c, c.from)), ...[...curve].reverse().map(c => at(c, c.to))].join(' '), fill: '#b8cce4'}),
     element('polyline', {points: curve.map(c => at(c, c.probability)).join(' '), fill: 'none', stroke: '#204a87', 'stroke-width': 2}),
     element('text', {x: right, y: bottom + 32, 'text-anchor': 'end'}, 'level of the reservoir (m)'), element('text', {x: left + 6, y: top + 14}, 'probability of failure'));
-  if (found.level_m >= low && found.level_m <= high) {
+  const shown = found.level_m >= low && found.level_m <= high;
+  if (shown) {
     parts.push(element('line', {x1: x(found.level_m), x2: x(found.level_m), y1: top, y2: bottom, stroke: 'var(--bad)', 'stroke-dasharray': '5 4'}));
   }
   return element('figure', {class: 'fragility'}, element('svg', {viewBox: '0 0 940 306'}, ...parts),
-    element('figcaption', {}, 'Fragility curve, with the interval that holds it in 95 of 100 ensembles. Dashed red: the level that is asked for.'));
+    element('figcaption', {}, 'Fragility curve, with the interval that holds it in 95 of 100 ensembles.' + (shown ? ' Dashed red: the level that is asked for.' : '')));
 }
 
 function comparisonTable(found) {
