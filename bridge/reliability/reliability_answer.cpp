@@ -159,6 +159,9 @@ class Reliability {
     if (finite.size() < 10 || finite.front() == finite.back()) return;
     answer_["fit"] = probability_.ask({{"do", "fit"}, {"values", finite}});
     answer_["fit"]["samples"] = finite.size();
+    if (const auto [level_m, count] = capacities.commonest(); 2 * count > finite.size()) {
+      answer_["fit"]["commonest"] = {{"level_m", level_m}, {"samples", count}};
+    }
     for (const Outcome& row : rows_) {  // a stable sample may fail at any higher level: the fit is truncated
       if (row["outcome"] == "stands") answer_["fit"]["cut_off_m"] = row.value("full_m", json());
     }

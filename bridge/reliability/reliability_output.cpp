@@ -49,18 +49,26 @@ std::string samples_text(const json& answer) {
   return text;
 }
 
+/// A distribution fits levels that scatter: a joint of certain strength gives many samples one level.
+std::string shape_text(const json& fit) {
+  if (!fit.contains("commonest")) return fit["distribution"].get<std::string>() + " fits them best";
+  return fmt::format("{} of the {} are {:.6g} m: no common distribution fits them",
+                     fit["commonest"]["samples"].get<int>(), fit["samples"].get<int>(),
+                     fit["commonest"]["level_m"].get<double>());
+}
+
 std::string fit_text(const json& answer) {
   if (!answer.contains("fit")) return "";
   const json& fit = answer["fit"];
   const json& samples = answer["samples"];
   const bool cut_off = fit.contains("cut_off_m");
   std::string text =
-      fmt::format("LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {} fits them best\n",
+      fmt::format("LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {}\n",
                   fit["samples"] == samples["count"]
                       ? ""
                       : fmt::format(" of the {} of {} samples that {}", fit["samples"].get<int>(),
                                     samples["count"].get<int>(), cut_off ? "fail below the highest level" : "have one"),
-                  fit["mean"].get<double>(), fit["deviation"].get<double>(), fit["distribution"].get<std::string>());
+                  fit["mean"].get<double>(), fit["deviation"].get<double>(), shape_text(fit));
   if (!cut_off) return text;
   text += fmt::format(
       "        WARNING they are cut off{}: with the {} samples that stand there the mean is higher, and the\n"

@@ -6,11 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
 
 #include "bridge/picture/draw.hpp"
+#include "bridge/reliability/capacities.hpp"
 #include "tests/own_folder.hpp"
 
 namespace blockweir::study::reliability_output_test {
@@ -42,6 +44,23 @@ TEST(ReliabilityTold, ASobolShareInAllBelowThatAloneIsSaidToBeNoise) {
   EXPECT_THAT(reliability_text(answer_with(0.998, 0.945)),
               HasSubstr("where it is, by up to 0.053, that is the noise of 400 samples;"));
   EXPECT_THAT(reliability_text(answer_with(0.945, 0.998)), Not(HasSubstr("noise")));
+}
+
+TEST(ReliabilityTold, ALevelThatMostSamplesHaveIsNamedInPlaceOfADistribution) {
+  json answer = answer_with(0.998, 0.99);
+  answer["fit"] = {{"samples", 10}, {"mean", 36.5}, {"deviation", 0.8}, {"distribution", "Normal"}};
+  EXPECT_THAT(reliability_text(answer), HasSubstr("Normal fits them best"));
+  answer["fit"]["commonest"] = {{"level_m", 36.6882}, {"samples", 9}};
+  EXPECT_THAT(reliability_text(answer), HasSubstr("9 of the 10 are 36.6882 m: no common distribution fits them\n"));
+  EXPECT_THAT(reliability_text(answer), Not(HasSubstr("Normal")));
+}
+
+TEST(ReliabilityTold, TheCommonestLevelIsThatOfMostFiniteOnes) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Capacities capacities({infinite, 3, 5.00001, 5, 7, infinite, infinite, infinite, std::nan("")}, 1);
+  const auto [level_m, count] = capacities.commonest();
+  EXPECT_NEAR(level_m, 5, 1e-4);
+  EXPECT_EQ(count, 2U);
 }
 
 /// Beside whatever interval: FORM takes the limit state to be a plane.

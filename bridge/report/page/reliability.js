@@ -74,7 +74,9 @@ function comparisonTable(found) {
 function showLevels(to, found) {
   const [fit, samples] = [found.fit, found.samples];
   const whose = is(fit.samples) && fit.samples < samples.count ? ` of the ${fit.samples} of ${samples.count} samples that ${"cut_off_m" in fit ? "fail below the highest level" : "have one"}` : '';
-  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; of common distributions the ${fit.distribution.toLowerCase()} one fits them best.`));
+  const shape = fit.commonest ? `${fit.commonest.samples} of them are ${number(fit.commonest.level_m, 6)} m, so that no common distribution fits them` :
+    `of common distributions the ${fit.distribution.toLowerCase()} one fits them best`;
+  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; ${shape}.`));
   if (!('cut_off_m' in fit)) return;
   const where = is(fit.cut_off_m) ? ` at ${number(fit.cut_off_m, 6)} m, the highest level that is looked at` : ' at the end of the filling';
   to.append(paragraph(`They are cut off${where}: ${samples.that_stand} samples stand there. With them the mean is higher, and the deviation another.`, 'bad'));
