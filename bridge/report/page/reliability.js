@@ -87,6 +87,7 @@ function showReliability(to, found) {
   const samples = found.samples;
   to.append(paragraph(`Probability of failure at a level of ${number(found.level_m, 6)} m or below. The level at which each sample fails is found by ${wayOf(found.by)}.`),
     table(['method', 'probability', '95 % interval', 'reliability index', 'levels computed'], methodRows(found)));
+  if (found.contradiction) to.append(paragraph(`The methods contradict each other: ${found.contradiction}.`, 'bad'));
   if (samples.without_answer > 0) to.append(paragraph(`${samples.without_answer} samples have no answer, which widens the interval: as if all of them failed, or none.`, 'bad'));
   if (found.upper_bound) to.append(paragraph('Limit analysis is an upper bound here: the true level is this or lower, and the true probability this or higher.', 'bad'));
   if (found.limit_analysis_note) to.append(paragraph(found.limit_analysis_note + '.', 'bad'));
