@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // blockweir-probability: OpenTURNS for blockweir reliability, in a separate program, since OpenTURNS takes a tenth of a
 // second to load. It reads requests in JSON, one each line, and answers on standard output. During a request it may
-// send {"evaluate": points} and expects {"values": ...}.
+// send {"evaluate": points} and expects {"values": ...}, null where there is none. If it needs one that there is not,
+// its "trouble" has the point as "at".
 #include <openturns/Log.hxx>
 #include <openturns/RandomGenerator.hxx>
 #include <openturns/ResourceMap.hxx>
 
+#include <cmath>
 #include <iostream>
 
 #include "bridge/probability/distributions.hpp"
@@ -39,7 +41,8 @@ OT::Sample evaluate(const OT::Sample& points) {
   say({{"evaluate", rows_of(points)}});
   const json values = hear()["values"];
   OT::Sample all(values.size(), 1);
-  for (std::size_t i = 0; i < values.size(); ++i) all(i, 0) = values[i].get<double>();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    all(i, 0) = values[i].is_null() ? std::nan("") : values[i].get<double>();
   return all;
 }
 
@@ -88,6 +91,8 @@ int main() {
   for (std::string line; std::getline(std::cin, line);) {
     try {
       say({{"answer", answer_to(json::parse(line))}});
+    } catch (const probability::Unanswered& error) {
+      say({{"trouble", error.what()}, {"at", std::vector<double>(error.at.begin(), error.at.end())}});
     } catch (const std::exception& error) {
       say({{"trouble", error.what()}});
     }

@@ -1,79 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/probability/methods.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <limits>
 #include <openturns/AbdoRackwitz.hxx>
-#include <openturns/CenteredFiniteDifferenceGradient.hxx>
-#include <openturns/CenteredFiniteDifferenceHessian.hxx>
-#include <openturns/CompositeRandomVector.hxx>
-#include <openturns/EvaluationImplementation.hxx>
+#include <openturns/DistFunc.hxx>
 #include <openturns/Exception.hxx>
-#include <openturns/FORM.hxx>
 #include <openturns/GreaterOrEqual.hxx>
+#include <openturns/ImportanceSamplingExperiment.hxx>
 #include <openturns/Less.hxx>
 #include <openturns/MartinezSensitivityAlgorithm.hxx>
+#include <openturns/Mixture.hxx>
 #include <openturns/Normal.hxx>
-#include <openturns/PostAnalyticalImportanceSampling.hxx>
+#include <openturns/ProbabilitySimulationAlgorithm.hxx>
 #include <openturns/SORM.hxx>
 #include <openturns/SobolIndicesExperiment.hxx>
 #include <openturns/SubsetSampling.hxx>
-#include <openturns/ThresholdEvent.hxx>
+#include <optional>
 
-#include <limits>
+#include "bridge/probability/design_points.hpp"
 
 namespace blockweir::probability {
 namespace {
 
 using nlohmann::json;
 
-/// The function as OpenTURNS calls it.
-class Evaluations : public OT::EvaluationImplementation {
- public:
-  Evaluations(OT::UnsignedInteger inputs, const Evaluate& evaluate) : inputs_(inputs), evaluate_(evaluate) {}
-  Evaluations* clone() const override { return new Evaluations(*this); }
-  OT::Point operator()(const OT::Point& at) const override {
-    OT::Sample one(0, at.getDimension());
-    one.add(at);
-    return evaluate_(one)[0];
-  }
-  OT::Sample operator()(const OT::Sample& points) const override { return evaluate_(points); }
-  OT::UnsignedInteger getInputDimension() const override { return inputs_; }
-  OT::UnsignedInteger getOutputDimension() const override { return 1; }
-
- private:
-  OT::UnsignedInteger inputs_;
-  const Evaluate& evaluate_;
-};
-
-/// Its derivatives by differences over a thousandth of each variable's deviation: OpenTURNS' own steps are lengths.
-OT::Function function_of(const OT::Distribution& joint, const Evaluate& evaluate) {
-  constexpr double step = 1e-3;
-  const OT::Evaluation evaluation(Evaluations(joint.getDimension(), evaluate));
-  const OT::Point steps = step * joint.getStandardDeviation();
-  OT::Function function(evaluation);
-  function.setGradient(OT::CenteredFiniteDifferenceGradient(steps, evaluation));
-  function.setHessian(OT::CenteredFiniteDifferenceHessian(steps, evaluation));
-  return function;
-}
-
-OT::ThresholdEvent event_of(const OT::Distribution& joint, const Evaluate& evaluate, double threshold,
-                            const OT::ComparisonOperator& holds = OT::Less()) {
-  const OT::RandomVector inputs(joint);
-  return OT::ThresholdEvent(OT::CompositeRandomVector(function_of(joint, evaluate), inputs), holds, threshold);
-}
-
-OT::AbdoRackwitz nearest_point() {
-  constexpr unsigned most_iterations = 100;
-  OT::AbdoRackwitz algorithm;
-  algorithm.setMaximumIterationNumber(most_iterations);
-  algorithm.setMaximumAbsoluteError(1e-8);
-  algorithm.setMaximumRelativeError(1e-8);
-  algorithm.setMaximumResidualError(1e-8);
-  algorithm.setMaximumConstraintError(1e-8);
-  return algorithm;
-}
-
 std::vector<double> numbers(const OT::Point& point) {
   return {point.begin(), point.end()};
+}
+
+/// P = Phi(-beta), below 0 where the means fail. OpenTURNS' own index ends at 7.65.
+double probability_of(double index) {
+  return OT::DistFunc::pNormal(index, /*tail=*/true);
+}
+json index_of(double probability) {
+  if (!(probability > 0 && probability < 1)) return {};
+  return OT::DistFunc::qNormal(probability, /*tail=*/true);
 }
 
 json simulated(const OT::ProbabilitySimulationResult& result) {
@@ -85,75 +50,6 @@ json simulated(const OT::ProbabilitySimulationResult& result) {
           {"evaluations", result.getOuterSampling() * result.getBlockSize()}};
 }
 
-bool ends_on_level_ground(const OT::Exception& error) {
-  return std::string(error.what()).find("gradient of the level function is zero") != std::string::npos;
-}
-
-/// Which of these points have a lower level than the means? A structure that the means fill to its crest has the same
-/// level all around them.
-std::vector<OT::Point> on_slopes(const OT::ThresholdEvent& event, const OT::Distribution& joint, OT::Sample points) {
-  points.add(joint.getMean());
-  const OT::Sample levels = event.getFunction()(points);
-  const OT::UnsignedInteger last = points.getSize() - 1;
-  std::vector<OT::Point> found;
-  for (OT::UnsignedInteger i = 0; i < last; ++i) {
-    if (levels(i, 0) < levels(last, 0)) found.push_back(points[i]);
-  }
-  return found;
-}
-
-/// Both ways along each axis of standard space, so many deviations from its origin.
-OT::Sample along_axes(const OT::Distribution& joint, double deviations) {
-  const auto to_physical = joint.getInverseIsoProbabilisticTransformation();
-  OT::Sample points(0, joint.getDimension());
-  for (OT::UnsignedInteger axis = 0; axis < joint.getDimension(); ++axis) {
-    for (const double sign : {-1.0, 1.0}) {
-      OT::Point at(joint.getDimension());
-      at[axis] = sign * deviations;
-      points.add(to_physical(at));
-    }
-  }
-  return points;
-}
-
-/// Throws OT::Exception where the search from `start` does not end.
-template <class Analysis>
-auto analysed_from(const OT::Point& start, const OT::ThresholdEvent& event) {
-  Analysis analysis(nearest_point(), event, start);
-  analysis.run();
-  return analysis.getResult();
-}
-
-/// From the means; where these lie on level ground, from the nearest points off it along the axes, or among draws.
-template <class Analysis>
-auto analysed(const OT::ThresholdEvent& event, const OT::Distribution& joint) {
-  constexpr double step = 0.5;  // in deviations
-  constexpr int steps = 12;
-  constexpr unsigned draws = 200;
-  constexpr std::size_t most_starts = 4;  // of each ring, and of the draws
-  std::vector<OT::Point> starts{joint.getMean()};
-  for (int k = 1;; ++k) {
-    starts.resize(std::min(starts.size(), most_starts));
-    for (const OT::Point& start : starts) {
-      try {
-        return analysed_from<Analysis>(start, event);
-      } catch (const OT::Exception& error) {
-        if (!ends_on_level_ground(error)) throw;
-      }
-    }
-    if (k > steps + 1) break;
-    starts = on_slopes(event, joint, k <= steps ? along_axes(joint, k * step) : joint.getSample(draws));
-  }
-  throw std::runtime_error(
-      "the search for the design point reached a point at which no variable changes the level; "
-      "expected one at which they do; state methods = [\"subset\"], which needs no such point");
-}
-
-/// beta with P = Phi(-beta), below 0 where the means fail.
-double index_of(double probability) {
-  return -OT::Normal().computeQuantile(probability)[0];
-}
-
 json complement(json answer) {
   const double probability = answer["probability"];
   const double share = probability > 0 ? probability / (1 - probability) : 0;
@@ -163,54 +59,141 @@ json complement(json answer) {
   return answer;
 }
 
-}  // namespace
-
-json form(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, bool second_order) {
-  const OT::ThresholdEvent event = event_of(joint, evaluate, threshold);
-  const OT::FORMResult first = analysed<OT::FORM>(event, joint);
-  const OT::Point design = first.getPhysicalSpaceDesignPoint();
-  OT::Sample at_design(0, joint.getDimension());
-  at_design.add(design);
-  json answer = {{"probability", first.getEventProbability()},
-                 {"index", index_of(first.getEventProbability())},
-                 {"design_point", numbers(design)},
-                 {"importance", numbers(first.getImportanceFactors())},
-                 {"iterations", first.getOptimizationResult().getIterationNumber()},
-                 {"residual", evaluate(at_design)(0, 0) - threshold}};
-  if (!second_order) return answer;
-  const OT::SORMResult second = analysed<OT::SORM>(event, joint);
-  answer["breitung"] = {{"probability", second.getEventProbabilityBreitung()},
-                        {"index", index_of(second.getEventProbabilityBreitung())}};
-  return answer;
+/// Shares of y^2 in |y|^2.
+OT::Point importance_of(const OT::Point& y) {
+  OT::Point shares(y.getDimension());
+  for (OT::UnsignedInteger i = 0; i < y.getDimension(); ++i) shares[i] = y[i] * y[i] / y.normSquare();
+  return shares;
 }
 
-json importance_sampling(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, unsigned samples) {
-  OT::FORMResult design = analysed<OT::FORM>(event_of(joint, evaluate, threshold), joint);
+/// The variables that matter at the design point and do not change the value at the means.
+json without_effect(const StandardState& state, const OT::Point& importance) {
+  constexpr double step = 1e-3;
+  constexpr double matters = 0.01;
+  constexpr double rounding = 1e-10;
+  json found = json::array();
+  for (unsigned i = 0; i < state.dimension(); ++i) {
+    OT::Point at(state.dimension());
+    at[i] = step;
+    if (importance[i] < matters) continue;
+    const double value = state.value(at);
+    if (std::abs(value - state.value(-1.0 * at)) <= rounding * std::abs(value)) found.push_back(i);
+  }
+  return found;
+}
+
+json point_json(const StandardState& state, const DesignPoint& point) {
+  return {{"probability", probability_of(point.index)},
+          {"index", point.index},
+          {"design_point", numbers(state.physical(point.standard))}};
+}
+
+/// As many points about each design point.
+OT::Distribution about(const DesignPoints& points) {
+  OT::Collection<OT::Distribution> all;
+  for (const DesignPoint& point : points.all) {
+    const OT::UnsignedInteger dimension = point.standard.getDimension();
+    all.add(OT::Normal(point.standard, OT::Point(dimension, 1), OT::CorrelationMatrix(dimension)));
+  }
+  return OT::Mixture(all);
+}
+
+std::optional<DesignPoints> design_points_if_any(const StandardState& state) {
+  try {
+    return design_points(state);
+  } catch (const OT::Exception&) {
+    return std::nullopt;
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
+}
+
+json sampled_about(const DesignPoints& points, const StandardState& state, unsigned samples) {
   // About the design point half of the points would not say where the rest of a large probability is.
-  const bool means_fail = design.getIsStandardPointOriginInFailureSpace();
-  if (means_fail) design = analysed<OT::FORM>(event_of(joint, evaluate, threshold, OT::GreaterOrEqual()), joint);
-  OT::PostAnalyticalImportanceSampling sampling(design);
+  const OT::ThresholdEvent event = state.event(points.means_fail ? OT::ComparisonOperator(OT::GreaterOrEqual())
+                                                                 : OT::ComparisonOperator(OT::Less()));
+  const OT::ImportanceSamplingExperiment experiment(OT::Normal(state.dimension()), about(points), samples);
+  OT::ProbabilitySimulationAlgorithm sampling(event, experiment);
   sampling.setBlockSize(samples);
   sampling.setMaximumOuterSampling(1);
   sampling.setMaximumCoefficientOfVariation(0);
   sampling.run();
   const json answer = simulated(sampling.getResult());
-  return means_fail ? complement(answer) : answer;
+  return points.means_fail ? complement(answer) : answer;
+}
+
+/// False if its probability gets below the least that is looked for.
+bool ends(OT::SubsetSampling& sampling) {
+  try {
+    sampling.run();
+    return true;
+  } catch (const OT::Exception& error) {
+    if (std::string(error.what()).find("Probability estimate too small") == std::string::npos) throw;
+    return false;
+  }
+}
+
+[[noreturn]] void refuse_missed(const StandardState& state, const DesignPoint& point) {
+  throw std::runtime_error(
+      fmt::format("its points miss the design point ({:.6g}), whose P is {:.3g}: at higher levels "
+                  "other points fail "
+                  "first; ask \"importance\", or raise method_samples",
+                  fmt::join(numbers(state.physical(point.standard)), ", "), probability_of(point.index)));
+}
+
+}  // namespace
+
+json form(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, bool second_order) {
+  const StandardState state(joint, evaluate, threshold);
+  const DesignPoints points = design_points(state);
+  const DesignPoint& nearest = points.all.front();
+  const OT::Point importance = importance_of(state.each_alone(nearest.standard));
+  json answer = point_json(state, nearest);
+  answer["importance"] = numbers(importance);
+  answer["iterations"] = nearest.iterations;
+  answer["residual"] = nearest.residual;
+  answer["without_effect_at_means"] = without_effect(state, importance);
+  answer["further"] = json::array();
+  double sum = probability_of(nearest.index);
+  for (std::size_t i = 1; i < points.all.size() && !points.means_fail; ++i) {
+    answer["further"].push_back(point_json(state, points.all[i]));
+    sum += probability_of(points.all[i].index);
+  }
+  answer["at_most"] = std::min(1.0, sum);
+  if (!second_order) return answer;
+  OT::SORM analysis(OT::AbdoRackwitz(), state.event(OT::Less()), nearest.standard);
+  analysis.run();
+  const double probability = analysis.getResult().getEventProbabilityBreitung();
+  answer["breitung"] = {{"probability", probability}, {"index", index_of(probability)}};
+  return answer;
+}
+
+json importance_sampling(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, unsigned samples) {
+  const StandardState state(joint, evaluate, threshold);
+  const DesignPoints points = design_points(state);
+  return sampled_about(points, state, samples);
 }
 
 json subset_sampling(const OT::Distribution& joint, const Evaluate& evaluate, double threshold, unsigned samples) {
   constexpr unsigned block = 100;
+  constexpr double rarest = 1e-20;
+  constexpr double too_rare = 1e-3;
   double highest = -std::numeric_limits<double>::infinity();
   const Evaluate watched = [&](const OT::Sample& points) {
     OT::Sample values = evaluate(points);
     highest = std::max(highest, values.getMax()[0]);
     return values;
   };
-  const OT::ThresholdEvent event = event_of(joint, watched, threshold);
-  OT::SubsetSampling sampling(event);
+  const StandardState state(joint, watched, threshold);
+  const std::optional<DesignPoints> points = design_points_if_any(state);
+  const double expected = points ? probability_of(points->all.front().index) : 0;
+  const double least = std::max(rarest, too_rare * expected);
+  OT::SubsetSampling sampling(state.event(OT::Less()));
   sampling.setBlockSize(std::min(block, samples));
   sampling.setMaximumOuterSampling(std::max(1U, samples / block));
-  sampling.run();
+  sampling.setMinimumProbability(least);
+  sampling.setKeepEventSample(true);
+  const bool ended = ends(sampling);
   const OT::Point levels = sampling.getThresholdPerStep();
   // Each threshold is taken to have a tenth of the points below it.
   if (levels[0] >= highest) {
@@ -219,7 +202,19 @@ json subset_sampling(const OT::Distribution& joint, const Evaluate& evaluate, do
         "to be nearer to failing than another; ask \"importance\", or look for higher levels with may_overtop = true "
         "in [water]");
   }
+  if (!ended && expected > rarest) refuse_missed(state, points->all.front());
+  if (!ended) {
+    throw std::runtime_error(fmt::format(
+        "none of its points fails, down to P = {}; expected a level at which failure is likelier; raise level_m",
+        rarest));
+  }
   json answer = simulated(sampling.getResult());
+  // A way to fail that it comes to late has too small a P: importance sampling knows curved boundaries, too.
+  constexpr double surely = 2;
+  const double at_most = surely * answer["interval"][1].get<double>();
+  if (expected > at_most && sampled_about(*points, state, samples)["interval"][0] > at_most) {
+    refuse_missed(state, points->all.front());
+  }
   answer["levels"] = numbers(levels);
   return answer;
 }

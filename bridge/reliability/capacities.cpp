@@ -68,6 +68,18 @@ std::vector<double> Capacities::finite() const {
   return finite;
 }
 
+std::pair<double, std::size_t> Capacities::commonest() const {
+  constexpr double same = 1e-5;
+  const std::vector<double> levels = finite();
+  std::pair<double, std::size_t> best{levels.front(), 0};
+  for (auto first = levels.begin(); first != levels.end(); ++first) {
+    const auto last = std::upper_bound(first, levels.end(), *first + same * std::abs(*first));
+    const auto count = static_cast<std::size_t>(last - first);
+    if (count > best.second) best = {*(first + (last - first) / 2), count};
+  }
+  return best;
+}
+
 std::size_t Capacities::without_answer() const {
   return count(levels_m_, [](double level) { return std::isnan(level); });
 }

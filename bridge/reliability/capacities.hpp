@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 #include "bridge/study/outcome_work.hpp"
@@ -33,6 +34,8 @@ class Capacities {
 
   /// Levels of the samples that fail at some level, ascending.
   [[nodiscard]] std::vector<double> finite() const;
+  /// The level, to five digits, that most of those have, and how many; there is one at least.
+  [[nodiscard]] std::pair<double, std::size_t> commonest() const;
   [[nodiscard]] std::size_t size() const { return levels_m_.size(); }
   [[nodiscard]] std::size_t without_answer() const;
   [[nodiscard]] std::size_t that_stand() const;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -119,6 +120,24 @@ std::string why_no_answer(const Randomness& randomness, const Outcome& row) {
     }
   }
   return fmt::format("{}: {}", fmt::join(settings, ", "), trouble);
+}
+
+void refuse_unsound(const std::filesystem::path& scene, const Randomness& randomness,
+                    const std::vector<RandomPoint>& points, const Settings& overrides) {
+  scene::CollectedErrors wrong;
+  for (std::size_t v = 0; v < randomness.variables.size(); ++v) {
+    const RandomVariable& variable = randomness.variables[v];
+    const auto [least, most] = std::minmax_element(
+        points.begin(), points.end(), [v](const RandomPoint& a, const RandomPoint& b) { return a[v] < b[v]; });
+    for (const auto& extreme : {least, most}) {
+      const Settings settings = settings_of(randomness, *extreme);
+      wrong.from([&] {
+        scene::read_entry(scene, {fmt::format("[[random]] \"{}\"", variable.name), variable.line, settings},
+                          joined(overrides, settings));
+      });
+    }
+  }
+  wrong.report();
 }
 
 void refuse_overridden_draws(const scene::ReadScene& read, const Settings& overrides) {

@@ -8,6 +8,7 @@
 
 #include "bridge/scene/read/read.hpp"
 #include "bridge/study/outcome_work.hpp"
+#include "bridge/study/probability.hpp"
 
 namespace blockweir::study {
 
@@ -19,6 +20,11 @@ std::vector<scene::Diagnostic> refused_draws(const std::filesystem::path& scene,
 /// Why a point of the random variables has no answer. If a drawn value was refused: which one, and the
 /// remedy.
 std::string why_no_answer(const scene::Randomness& randomness, const Outcome& row);
+
+/// Reads the scene at the least and the largest value of each variable. Throws scene::SceneError for what is refused
+/// there: a sample would be.
+void refuse_unsound(const std::filesystem::path& scene, const scene::Randomness& randomness,
+                    const std::vector<RandomPoint>& points, const Settings& overrides);
 
 /// Throws scene::SceneError if an override sets a key that a [[random]] draws: it would have no effect.
 void refuse_overridden_draws(const scene::ReadScene& read, const Settings& overrides);

@@ -8,11 +8,10 @@
 #include <cmath>
 
 #include "bridge/reliability/capacities.hpp"
+#include "bridge/reliability/contradiction.hpp"
 #include "bridge/reliability/refused_draws.hpp"
 #include "bridge/reliability/reliability_output.hpp"
 #include "bridge/results/seconds.hpp"
-#include "bridge/scene/read/collected_errors.hpp"
-#include "bridge/scene/read/entry.hpp"
 #include "bridge/study/engines.hpp"
 #include "bridge/study/outcome_runs.hpp"
 #include "bridge/study/probability.hpp"
@@ -60,25 +59,6 @@ double level_of(const scene::ReadScene& read) {
       file, level_m));
 }
 
-/// Reads the scene at the least and the largest value of each variable: what is refused there would be in a sample.
-void require_sound(const ReliabilityOptions& options, const scene::Randomness& randomness,
-                   const std::vector<RandomPoint>& points) {
-  scene::CollectedErrors wrong;
-  for (std::size_t v = 0; v < randomness.variables.size(); ++v) {
-    const scene::RandomVariable& variable = randomness.variables[v];
-    const auto [least, most] = std::minmax_element(
-        points.begin(), points.end(), [v](const RandomPoint& a, const RandomPoint& b) { return a[v] < b[v]; });
-    for (const auto& extreme : {least, most}) {
-      const Settings settings = settings_of(randomness, *extreme);
-      wrong.from([&] {
-        scene::read_entry(options.scene, {fmt::format("[[random]] \"{}\"", variable.name), variable.line, settings},
-                          joined(options.overrides, settings));
-      });
-    }
-  }
-  wrong.report();
-}
-
 /// One call of the command.
 class Reliability {
  public:
@@ -100,7 +80,7 @@ class Reliability {
                                          {"count", std::max(1, asked_.samples / groups_of(asked_))}});
     points_ = drawn["points"].get<std::vector<RandomPoint>>();
     means_ = drawn["means"].get<RandomPoint>();
-    require_sound(options_, randomness_, points_);
+    refuse_unsound(options_.scene, randomness_, points_, options_.overrides);
     answer_ = {{"digest", digest_},           {"level_m", level_m_}, {"by", word_of(asked_.by)},
                {"sampling", asked_.sampling}, {"means", means_},     {"correlated", !randomness_.correlations.empty()}};
     for (const auto& variable : randomness_.variables) {
@@ -111,6 +91,7 @@ class Reliability {
     add_samples(runs);
     for (const std::string& method : asked_.methods) add_method(runs, method);
     add_comparison(runs);
+    if (const std::string words = contradiction_of(answer_); !words.empty()) answer_["contradiction"] = words;
     return answer_;
   }
   [[nodiscard]] std::string table() const { return sample_table(randomness_, points_, rows_); }
@@ -159,6 +140,9 @@ class Reliability {
     if (finite.size() < 10 || finite.front() == finite.back()) return;
     answer_["fit"] = probability_.ask({{"do", "fit"}, {"values", finite}});
     answer_["fit"]["samples"] = finite.size();
+    if (const auto [level_m, count] = capacities.commonest(); 2 * count > finite.size()) {
+      answer_["fit"]["commonest"] = {{"level_m", level_m}, {"samples", count}};
+    }
     for (const Outcome& row : rows_) {  // a stable sample may fail at any higher level: the fit is truncated
       if (row["outcome"] == "stands") answer_["fit"]["cut_off_m"] = row.value("full_m", json());
     }
@@ -213,6 +197,8 @@ class Reliability {
           probability_.ask({{"do", method}, {"threshold", level_m_}, {"samples", asked_.method_samples}}, evaluate);
     } catch (const scene::SceneError&) {
       throw;
+    } catch (const Unanswered& error) {
+      answer_[method] = {{"trouble", why_no_answer(randomness_, runs.make(settings({error.at}), 0, true).front())}};
     } catch (const std::runtime_error& error) {
       answer_[method] = {{"trouble", trouble_of(error.what(), rows)}};
     }
@@ -238,11 +224,12 @@ class Reliability {
                         : "");
   }
 
-  /// The level as a function; for samples that are stable when full or fail when empty, the end of the range.
+  /// The level as a function; for samples that are stable when full or fail when empty, the end of the range. NaN
+  /// without an answer.
   [[nodiscard]] double value_of(const Outcome& row) const {
     const double capacity = capacity_of(row);
     if (std::isfinite(capacity)) return capacity;
-    if (std::isnan(capacity)) throw std::runtime_error(why_no_answer(randomness_, row));
+    if (std::isnan(capacity)) return capacity;
     return row[capacity > 0 ? "full_m" : "empty_m"];
   }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "bridge/picture/gnuplot.hpp"
+#include "bridge/reliability/method_text.hpp"
 #include "bridge/results/csv.hpp"
 #include "bridge/study/study_files.hpp"
 
@@ -15,10 +16,6 @@ namespace blockweir::study {
 namespace {
 
 using nlohmann::json;
-
-std::string digits_of(const json& value, const char* format = "{:.4g}") {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "-";
-}
 
 std::string way_of(const std::string& by) {
   if (by == "limit") return "limit analysis";
@@ -49,18 +46,26 @@ std::string samples_text(const json& answer) {
   return text;
 }
 
+/// A distribution fits levels that scatter: a joint of certain strength gives many samples one level.
+std::string shape_text(const json& fit) {
+  if (!fit.contains("commonest")) return fit["distribution"].get<std::string>() + " fits them best";
+  return fmt::format("{} of the {} are {:.6g} m: no common distribution fits them",
+                     fit["commonest"]["samples"].get<int>(), fit["samples"].get<int>(),
+                     fit["commonest"]["level_m"].get<double>());
+}
+
 std::string fit_text(const json& answer) {
   if (!answer.contains("fit")) return "";
   const json& fit = answer["fit"];
   const json& samples = answer["samples"];
   const bool cut_off = fit.contains("cut_off_m");
   std::string text =
-      fmt::format("LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {} fits them best\n",
+      fmt::format("LEVELS  of failure{}: mean {:.5g} m, deviation {:.3g} m; {}\n",
                   fit["samples"] == samples["count"]
                       ? ""
                       : fmt::format(" of the {} of {} samples that {}", fit["samples"].get<int>(),
                                     samples["count"].get<int>(), cut_off ? "fail below the highest level" : "have one"),
-                  fit["mean"].get<double>(), fit["deviation"].get<double>(), fit["distribution"].get<std::string>());
+                  fit["mean"].get<double>(), fit["deviation"].get<double>(), shape_text(fit));
   if (!cut_off) return text;
   text += fmt::format(
       "        WARNING they are cut off{}: with the {} samples that stand there the mean is higher, and the\n"
@@ -69,76 +74,6 @@ std::string fit_text(const json& answer) {
       samples["that_stand"].get<int>(),
       answer["by"] == "run" ? "let the filling end at a higher level"
                             : "may_overtop = true in [water] looks for higher levels");
-  return text;
-}
-
-std::string at_point(const json& answer, const json& point) {
-  std::string text;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    text += fmt::format("{}{} = {:.6g}", i == 0 ? "" : ", ", answer["variables"][i].get<std::string>(),
-                        point[i].get<double>());
-  }
-  return text;
-}
-
-/// That a probability lies outside the interval of the samples, if it does.
-std::string off_the_samples(const json& answer, const json& probability) {
-  const json& interval = answer["samples"]["interval"];
-  if (!probability.is_number() || !interval[0].is_number() || !interval[1].is_number()) return {};
-  const double p = probability;
-  if (p >= interval[0].get<double>() && p <= interval[1].get<double>()) return {};
-  return fmt::format(
-      "        outside the samples' interval, {} to {} (95 %): its approximation of the limit state may not fit;\n"
-      "        trust the samples, or take more\n",
-      digits_of(interval[0]), digits_of(interval[1]));
-}
-
-std::string form_text(const json& answer, const char* method) {
-  const json& found = answer[method];
-  std::string text = fmt::format(
-      "{:<8}P {}; index {}", method == std::string("form") ? "FORM" : "SORM",
-      digits_of(method == std::string("form") ? found["probability"] : found["breitung"]["probability"], "{:.6g}"),
-      digits_of(method == std::string("form") ? found["index"] : found["breitung"]["index"], "{:.5g}"));
-  const bool by_sorm = method == std::string("sorm");
-  const std::string off = off_the_samples(answer, by_sorm ? found["breitung"]["probability"] : found["probability"]);
-  if (by_sorm) return text + " (Breitung)\n" + off;
-  text += fmt::format("\n        design point: {}\n", at_point(answer, found["design_point"]));
-  text += fmt::format("        importance {}: {}\n",
-                      answer.value("correlated", false) ? "y^2/|y|^2, not alpha^2" : "alpha^2",
-                      at_point(answer, found["importance"]));
-  constexpr double near_m = 1e-4;
-  if (std::abs(found["residual"].get<double>()) > near_m) {
-    text += fmt::format("        WARNING the design point fails {:.2g} m off the level: trust the samples\n",
-                        found["residual"].get<double>());
-  }
-  return text + off;
-}
-
-std::string simulated_text(const json& answer, const char* method) {
-  const json& found = answer[method];
-  return fmt::format("{:<8}P {}, {} to {} (95 %), {} samples\n", method == std::string("subset") ? "SUBSET" : "IMPORT.",
-                     digits_of(found["probability"]), digits_of(found["interval"][0]), digits_of(found["interval"][1]),
-                     found["evaluations"].get<int>());
-}
-
-std::string sobol_text(const json& answer) {
-  const json& found = answer["sobol"];
-  std::string text = "SOBOL   shares of the variance of the level\n";
-  text += fmt::format("        {:<40} {:>7} {:>7}\n", "variable", "alone", "in all");
-  for (std::size_t i = 0; i < answer["variables"].size(); ++i) {
-    text += fmt::format("        {:<40.40} {:>7} {:>7}\n", answer["variables"][i].get<std::string>(),
-                        digits_of(found["first"][i], "{:.3f}"), digits_of(found["total"][i], "{:.3f}"));
-  }
-  double below = 0;
-  for (std::size_t i = 0; i < found["first"].size(); ++i) {
-    below = std::max(below, found["first"][i].get<double>() - found["total"][i].get<double>());
-  }
-  if (constexpr double shown = 5e-4; below > shown) {
-    text += fmt::format(
-        "        a share in all is never below that alone: where it is, by up to {:.2g}, that is the noise of {} "
-        "samples;\n        reliability.json has the intervals, more samples narrow them\n",
-        below, found["evaluations"].get<int>());
-  }
   return text;
 }
 
@@ -166,7 +101,8 @@ std::string found_text(const json& found) {
 }
 
 std::string comparison_text(const json& answer) {
-  std::string text;
+  std::string text =
+      answer.contains("contradiction") ? fmt::format("DIFFER  {}\n", answer["contradiction"].get<std::string>()) : "";
   for (const json& row : answer.value("comparison", json::array())) {
     text += fmt::format("{:<8}", !text.empty() ? "" : ways_agree(answer["comparison"]) ? "AGREE" : "DIFFER");
     std::string words = row["where"];
@@ -184,16 +120,6 @@ std::string comparison_text(const json& answer) {
     text += "        " + answer["limit_analysis_note"].get<std::string>() + "\n";
   }
   return text;
-}
-
-std::string method_text(const json& answer, const char* method) {
-  if (!answer.contains(method)) return "";
-  if (answer[method].contains("trouble")) {
-    return fmt::format("NONE    by {}: {}\n", method, answer[method]["trouble"].get<std::string>());
-  }
-  const std::string name = method;
-  if (name == "sobol") return sobol_text(answer);
-  return name == "form" || name == "sorm" ? form_text(answer, method) : simulated_text(answer, method);
 }
 
 }  // namespace

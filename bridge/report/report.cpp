@@ -128,6 +128,15 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program, c
   return parts;
 }
 
+/// That of a question has one, that of samples has not.
+void require_scene(const fs::path& folder, const std::string& answers) {
+  if (fs::exists(process::scene_of(folder))) return;
+  throw std::invalid_argument(
+      fmt::format("{}: found {}, without its scene; expected a folder of a run, or a scene; \"blockweir report SCENE "
+                  "--reliability {}\" shows these results",
+                  folder.string(), answers, results::shell_word(folder.string())));
+}
+
 }  // namespace
 
 int write_report(const ReportOptions& options) {
@@ -144,6 +153,7 @@ int write_report(const ReportOptions& options) {
   if (!process::is_run(options.source)) {
     fs::path folder = options.run;
     if (const std::string found = process::answers_in(options.source); !found.empty()) {
+      require_scene(options.source, found);
       fmt::print(stderr, "{}: these are {}, not of a run: their scene is run first\n", options.source.string(), found);
     }
     if (folder.empty() && !options.out.empty() && !may_write_here()) folder = scratch.emplace().path() / "run";

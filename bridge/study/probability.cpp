@@ -71,6 +71,7 @@ json Probability::ask(json request, const Evaluate& evaluate) {
     reply = program_->ask({{"values", values}});
   }
   if (reply.contains("answer")) return reply["answer"];
+  if (reply.contains("at")) throw Unanswered(reply["trouble"], reply["at"]);
   throw std::runtime_error(reply.value("trouble", "no answer"));
 }
 

@@ -6,6 +6,8 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "bridge/process/line_program.hpp"
@@ -17,9 +19,15 @@ namespace blockweir::study {
 /// One value for each variable.
 using RandomPoint = std::vector<double>;
 
+/// A method needs the function's value at a point that has none.
+struct Unanswered : std::runtime_error {
+  Unanswered(const std::string& reason, RandomPoint point) : std::runtime_error(reason), at(std::move(point)) {}
+  RandomPoint at;
+};
+
 class Probability {
  public:
-  /// Values of a function at points.
+  /// Values of a function at points; NaN where there is none.
   using Evaluate = std::function<std::vector<double>(const std::vector<RandomPoint>& points)>;
 
   explicit Probability(const scene::Randomness& randomness);
@@ -27,7 +35,7 @@ class Probability {
   Probability(const std::vector<scene::Distribution>& distributions, int seed);
 
   /// The program's answer to `request` ("do", and what that needs). Throws std::runtime_error with the program's reason
-  /// if there is none.
+  /// if there is none, Unanswered if a value is missing.
   nlohmann::json ask(nlohmann::json request, const Evaluate& evaluate = {});
 
  private:

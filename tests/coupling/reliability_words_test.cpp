@@ -124,6 +124,30 @@ TEST_F(ReliabilityWords, WhereAnchorsHoldAnyForceTheyAreTheCauseAndStaticsTheRem
   EXPECT_THAT(text("out"), Not(HasSubstr("hold any force")));
 }
 
+/// The lift governs at the means, and is certain; the base fails at the level asked for.
+TEST_F(ReliabilityWords, AnotherJointThanAtTheMeansIsTold) {
+  std::ofstream(folder / "scene.toml") << R"(analysis = { duration_s = 1 }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2300 }
+water = { upstream_level_m = 7.5 }
+block = [{ name = "rock", material = "m", fixed = true, vertices_m = [[-20, -6], [25, -6], [25, 0], [-20, 0]] },
+  { name = "lower", material = "m", vertices_m = [[0, 0], [6, 0], [4, 4], [0, 4]] },
+  { name = "upper", material = "m", vertices_m = [[0, 4], [4, 4], [2, 10], [0, 10]] }]
+joints = [{ name = "base", between = ["rock", "lower"], friction_angle_deg = 40 },
+  { name = "lift", between = ["lower", "upper"], friction_angle_deg = 20 }]
+random = [{ name = "phi base", key = "joints.base.friction_angle_deg", distribution = "normal", mean = 40, deviation = 3 },
+  { name = "phi lift", key = "joints.lift.friction_angle_deg", distribution = "normal", mean = 20, deviation = 0 }]
+reliability = { level_m = 8.4, samples = 100, method_samples = 300, methods = ["form", "importance", "subset"] }
+)";
+  const std::string command = programs + "/blockweir reliability scene.toml --out r --set random.1.deviation=";
+  EXPECT_EQ(shell(command + "0.2"), 1) << text("out");
+  EXPECT_NEAR(answer()["form"]["index"].get<double>(), (40 - 21.982) / 3, 1e-3);
+  EXPECT_THAT(text("out"), HasSubstr("without effect at the means, where another way to fail governs: phi base"));
+  EXPECT_THAT(text("out"), HasSubstr("NONE    by subset: its points miss the design point (21.982, 20)"));
+  EXPECT_GT(answer()["importance"]["interval"][0], 1e-10);
+  EXPECT_EQ(shell(command + "1e-9 --set 'reliability.methods=[\"none\"]'"), 0) << text("out");
+  EXPECT_THAT(text("out"), HasSubstr("100 of the 100 are 9.48969 m: no common distribution fits them"));
+}
+
 TEST_F(ReliabilityWords, AnOverrideOfWhatIsDrawnIsRefused) {
   EXPECT_EQ(reliability({}, "", "--set joints.0.friction_angle_deg=10"), 2);
   EXPECT_THAT(text("out"), HasSubstr("--set joints.0.friction_angle_deg=10: error: [[random]] \"friction\" draws this "

@@ -21,6 +21,7 @@ addEventListener('load', () => {
   seen.level = control('level').textContent;
   seen.reliability = control('reliability') ? control('reliability').textContent : '';
   seen.fragility = document.querySelectorAll('.fragility polygon').length;
+  seen.asked_lines = document.querySelectorAll('.fragility line[stroke-dasharray]').length;
   seen.scene = control('again').textContent;
   seen.section = control('section').textContent;
   seen.states = document.querySelectorAll('.state').length;

@@ -254,6 +254,10 @@ TEST_F(Report, OfResultsThatAreNoRunSaysThatItRunsTheirScene) {
   EXPECT_EQ(shell(programs + "/blockweir report l --run r --out page.html"), 0);
   EXPECT_THAT(text("out"),
               HasSubstr("l: these are results of \"blockweir level\", not of a run: their scene is run first\n"));
+  fs::remove(folder / "l/scene.toml");  // as in a folder of reliability
+  EXPECT_EQ(shell(programs + "/blockweir report l"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("l: found results of \"blockweir level\", without its scene; expected a folder"));
+  EXPECT_THAT(text("out"), testing::Not(HasSubstr("is run first")));
 }
 
 /// A load case with `set = []`, and the scene as written, are one row, one table and one picture.
@@ -280,6 +284,17 @@ TEST_F(Report, ShowsALoadCaseThatIsTheSceneAsWrittenOnce) {
   EXPECT_GE(counted("usual, long"), 1) << "it has its own row, with what it requires; " << cases;
   EXPECT_EQ(seen["states"], 3) << "the section, and one of each different load case";
   EXPECT_EQ(seen["faults"], nlohmann::json::array());
+}
+
+TEST_F(Report, ShowsTheLevelAskedForFarFromTheCurve) {
+  write_scene();
+  std::ofstream(folder / "wall.toml", std::ios::app)
+      << "[[random]]\nkey = 'joint.friction_angle_deg'\ndistribution = 'normal'\nmean = 30\ndeviation = 0.1\n"
+         "[reliability]\nsamples = 100\nmethods = ['none']\n";
+  ASSERT_EQ(shell(programs + "/blockweir report wall.toml --out wall.html"), 0) << text("out");
+  const nlohmann::json seen = opened("wall.html");
+  EXPECT_THAT(seen["reliability"].get<std::string>(), HasSubstr("Dashed red: the level that is asked for"));
+  EXPECT_EQ(seen["asked_lines"], 1);
 }
 
 TEST_F(Report, WritesNothingWhereItCannot) {

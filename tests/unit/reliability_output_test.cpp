@@ -6,11 +6,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <tuple>
 
 #include "bridge/picture/draw.hpp"
+#include "bridge/reliability/capacities.hpp"
+#include "bridge/reliability/contradiction.hpp"
 #include "tests/own_folder.hpp"
 
 namespace blockweir::study::reliability_output_test {
@@ -44,6 +48,23 @@ TEST(ReliabilityTold, ASobolShareInAllBelowThatAloneIsSaidToBeNoise) {
   EXPECT_THAT(reliability_text(answer_with(0.945, 0.998)), Not(HasSubstr("noise")));
 }
 
+TEST(ReliabilityTold, ALevelThatMostSamplesHaveIsNamedInPlaceOfADistribution) {
+  json answer = answer_with(0.998, 0.99);
+  answer["fit"] = {{"samples", 10}, {"mean", 36.5}, {"deviation", 0.8}, {"distribution", "Normal"}};
+  EXPECT_THAT(reliability_text(answer), HasSubstr("Normal fits them best"));
+  answer["fit"]["commonest"] = {{"level_m", 36.6882}, {"samples", 9}};
+  EXPECT_THAT(reliability_text(answer), HasSubstr("9 of the 10 are 36.6882 m: no common distribution fits them\n"));
+  EXPECT_THAT(reliability_text(answer), Not(HasSubstr("Normal")));
+}
+
+TEST(ReliabilityTold, TheCommonestLevelIsThatOfMostFiniteOnes) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Capacities capacities({infinite, 3, 5.00001, 5, 7, infinite, infinite, infinite, std::nan("")}, 1);
+  const auto [level_m, count] = capacities.commonest();
+  EXPECT_NEAR(level_m, 5, 1e-4);
+  EXPECT_EQ(count, 2U);
+}
+
 /// Beside whatever interval: FORM takes the limit state to be a plane.
 TEST(ReliabilityTold, AFormOutsideTheIntervalOfTheSamplesIsSaidSo) {
   json answer = answer_with(0.998, 0.99);
@@ -60,6 +81,39 @@ TEST(ReliabilityTold, AFormOutsideTheIntervalOfTheSamplesIsSaidSo) {
     EXPECT_EQ(text.substr(form, sorm - form).find(line) != std::string::npos, p > 0.3) << text;
     EXPECT_NE(text.find(line, sorm), std::string::npos) << text;
   }
+}
+
+TEST(ReliabilityTold, MethodsThatAreApartTenfoldDoNotAgree) {
+  json answer = answer_with(0.998, 0.99);
+  answer.erase("sobol");
+  const json level = {{"level_m", 8.4}, {"trouble", ""}, {"outcome", "fails"}};
+  answer["comparison"] = {{{"where", "at the means"}, {"limit", level}, {"statics", level}}};
+  answer["form"] = {{"probability", 1e-9}, {"at_most", 1e-8}};
+  for (const auto& [from, to, apart] : {std::tuple(1e-10, 1e-9, false), std::tuple(9e-8, 1e-6, false),
+                                        std::tuple(2e-7, 1e-6, true), std::tuple(0.0, 9e-11, true)}) {
+    answer["subset"] = {{"interval", {from, to}}};
+    EXPECT_EQ(!contradiction_of(answer).empty(), apart) << from;
+  }
+  EXPECT_EQ(contradiction_of(answer),
+            "P is 9e-11 or less by subset sampling, and 1e-09 or more by FORM: one of them misses a way to fail; take "
+            "the larger, and raise method_samples");
+  answer.erase("form");
+  answer.erase("subset");
+  EXPECT_THAT(reliability_text(answer), HasSubstr("AGREE   at the means"));
+  answer["contradiction"] = "P is this and that";
+  EXPECT_THAT(reliability_text(answer), HasSubstr("DIFFER  P is this and that\n        at the means"));
+}
+
+TEST(ReliabilityTold, FormNamesOtherWaysToFail) {
+  json answer = answer_with(0.998, 0.99);
+  answer.erase("sobol");
+  answer["form"] = {{"probability", 0.2}, {"index", 0.8}, {"design_point", {1}}, {"importance", {1}}, {"residual", 0}};
+  answer["form"]["further"] = {{{"probability", 0.1}, {"index", 1.2}, {"design_point", {3}}}};
+  answer["form"]["at_most"] = 0.3;
+  answer["form"]["without_effect_at_means"] = {0};
+  EXPECT_THAT(reliability_text(answer),
+              HasSubstr("        another: phi = 3; P 0.1\n        each is a way to fail: P of all together is at most "
+                        "0.3\n        without effect at the means, where another way to fail governs: phi\n"));
 }
 
 /// Each name has a height of its own in the picture.

@@ -39,7 +39,8 @@ function fragilityFigure(found) {
   const curve = found.curve;
   const [left, right, top, bottom] = [70, 925, 14, 270];
   let [low, high] = [curve[0].level_m, curve[curve.length - 1].level_m];
-  if (found.level_m > low - (high - low) && found.level_m < high + (high - low)) [low, high] = [Math.min(low, found.level_m), Math.max(high, found.level_m)];
+  const reach = 10 * (high - low);
+  if (found.level_m > low - reach && found.level_m < high + reach) [low, high] = [Math.min(low, found.level_m), Math.max(high, found.level_m)];
   const edge = 0.03 * (high - low) || 0.5;
   [low, high] = [low - edge, high + edge];
   const x = level => left + (level - low) / (high - low) * (right - left);
@@ -55,11 +56,12 @@ function fragilityFigure(found) {
   parts.push(element('polygon', {points: [...curve.map(c => at(c, c.from)), ...[...curve].reverse().map(c => at(c, c.to))].join(' '), fill: '#b8cce4'}),
     element('polyline', {points: curve.map(c => at(c, c.probability)).join(' '), fill: 'none', stroke: '#204a87', 'stroke-width': 2}),
     element('text', {x: right, y: bottom + 32, 'text-anchor': 'end'}, 'level of the reservoir (m)'), element('text', {x: left + 6, y: top + 14}, 'probability of failure'));
-  if (found.level_m >= low && found.level_m <= high) {
+  const shown = found.level_m >= low && found.level_m <= high;
+  if (shown) {
     parts.push(element('line', {x1: x(found.level_m), x2: x(found.level_m), y1: top, y2: bottom, stroke: 'var(--bad)', 'stroke-dasharray': '5 4'}));
   }
   return element('figure', {class: 'fragility'}, element('svg', {viewBox: '0 0 940 306'}, ...parts),
-    element('figcaption', {}, 'Fragility curve, with the interval that holds it in 95 of 100 ensembles. Dashed red: the level that is asked for.'));
+    element('figcaption', {}, 'Fragility curve, with the interval that holds it in 95 of 100 ensembles.' + (shown ? ' Dashed red: the level that is asked for.' : '')));
 }
 
 function comparisonTable(found) {
@@ -72,7 +74,9 @@ function comparisonTable(found) {
 function showLevels(to, found) {
   const [fit, samples] = [found.fit, found.samples];
   const whose = is(fit.samples) && fit.samples < samples.count ? ` of the ${fit.samples} of ${samples.count} samples that ${"cut_off_m" in fit ? "fail below the highest level" : "have one"}` : '';
-  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; of common distributions the ${fit.distribution.toLowerCase()} one fits them best.`));
+  const shape = fit.commonest ? `${fit.commonest.samples} of them are ${number(fit.commonest.level_m, 6)} m, so that no common distribution fits them` :
+    `of common distributions the ${fit.distribution.toLowerCase()} one fits them best`;
+  to.append(paragraph(`Levels of failure${whose}: mean ${number(fit.mean)} m, deviation ${number(fit.deviation, 3)} m; ${shape}.`));
   if (!('cut_off_m' in fit)) return;
   const where = is(fit.cut_off_m) ? ` at ${number(fit.cut_off_m, 6)} m, the highest level that is looked at` : ' at the end of the filling';
   to.append(paragraph(`They are cut off${where}: ${samples.that_stand} samples stand there. With them the mean is higher, and the deviation another.`, 'bad'));
@@ -83,6 +87,7 @@ function showReliability(to, found) {
   const samples = found.samples;
   to.append(paragraph(`Probability of failure at a level of ${number(found.level_m, 6)} m or below. The level at which each sample fails is found by ${wayOf(found.by)}.`),
     table(['method', 'probability', '95 % interval', 'reliability index', 'levels computed'], methodRows(found)));
+  if (found.contradiction) to.append(paragraph(`The methods contradict each other: ${found.contradiction}.`, 'bad'));
   if (samples.without_answer > 0) to.append(paragraph(`${samples.without_answer} samples have no answer, which widens the interval: as if all of them failed, or none.`, 'bad'));
   if (found.upper_bound) to.append(paragraph('Limit analysis is an upper bound here: the true level is this or lower, and the true probability this or higher.', 'bad'));
   if (found.limit_analysis_note) to.append(paragraph(found.limit_analysis_note + '.', 'bad'));
