@@ -74,8 +74,10 @@ void Solid::advance(double from_s, double to_s, PressureHistory& water, const An
           water_forces(panels, model_.blocks, state_.placements, model_.described(), model_.scene.water.nodal_rule),
           state_.guard, {state_.blocks, state_.placements, model_.water_motions});
     }
+    from_rest_.begin_step(dt);
     const Outcome outcome = steps_.make({dt, time + dt, panels});
     if (outcome == Outcome::made) {
+      from_rest_.end_step(dt, panels, time + dt);
       if (!panels.empty()) {
         state_.water_work.end_step(state_.guard, {state_.blocks, state_.placements, model_.water_motions}, dt,
                                    steps_.made_by_shi());

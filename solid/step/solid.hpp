@@ -9,6 +9,7 @@
 #include "bridge/scene/scene.hpp"
 #include "solid/block/pressure_history.hpp"
 #include "solid/step/impacts.hpp"
+#include "solid/step/motion_from_rest.hpp"
 #include "solid/step/static_analysis.hpp"
 #include "solid/step/time_step.hpp"
 
@@ -84,6 +85,7 @@ class Solid {
   TimeStep time_step_;
   StepsWithImpacts steps_{step_, time_step_, water_};
   StaticAnalysis rest_{step_, time_step_};
+  MotionFromRest from_rest_{step_, rest_};
   bool starts_at_rest_ = true;
 };
 

@@ -59,8 +59,7 @@ bool StaticAnalysis::lead_supports(const std::vector<Panel>& water, double at_s)
   return true;
 }
 
-void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s) {
-  constexpr int most_steps = 1000;
+void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s, int most_steps) {
   if (!lead_supports(water, at_s)) return;
   find_rest(water, at_s, {most_steps, model_.scene.analysis.residual_tolerance});
 }

@@ -15,7 +15,7 @@ class StaticAnalysis : StepPart {
       : StepPart(step), time_step_(time_step), methods_(step, time_step) {}
 
   /// Steps under the loads of that time, once supports stand where they do then; the result is in the state.
-  void come_to_rest(const std::vector<Panel>& water, double at_s);
+  void come_to_rest(const std::vector<Panel>& water, double at_s, int most_steps = 1000);
   /// Unbalanced force of the last step over the weight. Velocities are reset at every step, so that inertia equals the
   /// unbalanced force.
   [[nodiscard]] double unbalanced_ratio() const;

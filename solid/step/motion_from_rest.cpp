@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solid/step/motion_from_rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::solid {
+namespace {
+
+constexpr double still = 1e-6;  // of a fall through the step
+
+}  // namespace
+
+/// Are there so few that Newton's method follows their forces from step to step? Those of many are centred
+/// (centred_forces.hpp), or statics would take too long.
+bool MotionFromRest::follows_forces() const {
+  if (!model_.is(scene::AnalysisKind::dynamic) || model_.scene.base_motion || !state_.supports.empty()) return false;
+  const auto moves = [](const Block& b) { return !b.fixed; };
+  const auto strains = [](const Block& b) { return !b.fixed && !b.rigid; };
+  return model_.boundary.empty() && std::none_of(model_.blocks.begin(), model_.blocks.end(), strains) &&
+         3 * std::count_if(model_.blocks.begin(), model_.blocks.end(), moves) <= few_unknowns;
+}
+
+void MotionFromRest::begin_step(double dt) {
+  const double fall_m_per_s = model_.scene.analysis.gravity_m_per_s2 * dt;
+  if (!follows_) follows_ = follows_forces();
+  rested_ = *follows_ && !state_.guard.acts() && state_.fastest_m_per_s() <= still * fall_m_per_s;
+  if (!rested_) return;
+  before_ = state_;
+  balance_before_ = state_.energy;
+}
+
+void MotionFromRest::end_step(double dt, const std::vector<Panel>& water, double at_s) {
+  const double fall_m_per_s = model_.scene.analysis.gravity_m_per_s2 * dt;
+  const double now_m_per_s = state_.fastest_m_per_s();
+  if (!rested_ || now_m_per_s <= still * fall_m_per_s || now_m_per_s >= fall_m_per_s) return;
+  const Standing moving = state_;
+  const EnergyBalance balance = state_.energy;
+  if (rests_by_statics(water, at_s)) {
+    state_.smooth_steps = 0;
+    return;
+  }
+  state_.restore(moving);
+  state_.energy = balance;
+}
+
+bool MotionFromRest::rests_by_statics(const std::vector<Panel>& water, double at_s) {
+  constexpr double hardly = 0.1;  // of a failure
+  constexpr int most_steps = 30;  // those that find a state of rest make one, seldom five
+  const long steps = counts_.steps;
+  const Rest rest = state_.rest;
+  const auto tried = std::pair(state_.whole_law, state_.lagging);
+  state_.restore(before_);
+  state_.energy.undo_work_since(balance_before_);
+  statics_.come_to_rest(water, at_s, most_steps);
+  counts_.steps = steps;
+  std::tie(state_.whole_law, state_.lagging) = tried;
+  if (!std::exchange(state_.rest, rest).found) return false;
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    const Vector6 moved = state_.blocks[b].displacement - before_.blocks[b].displacement;
+    const double farthest_m = moved.head<2>().norm() + model_.blocks[b].radius * std::abs(moved[2]);
+    if (farthest_m > hardly * model_.scene.analysis.failure_displacement_m) return false;
+  }
+  return true;
+}
+
+}  // namespace blockweir::solid

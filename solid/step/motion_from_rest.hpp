@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rigid blocks that a step sets in motion from rest. Friction and redundant contacts leave their forces open: those of
+// the step before may lead to a slip, from one step length and not from another, under loads that the blocks bear. What
+// can stay is told as by a static analysis: by slips without velocity, until forces balance or it moves on.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solid/step/static_analysis.hpp"
+
+namespace blockweir::solid {
+
+class MotionFromRest : StepPart {
+ public:
+  MotionFromRest(StepWorkspace& step, StaticAnalysis& statics) : StepPart(step), statics_(statics) {}
+
+  /// Before a step.
+  void begin_step(double dt);
+  /// After a step that was made: where it began a motion and statics finds a state of rest within hardly any slip, that
+  /// is the step's end.
+  void end_step(double dt, const std::vector<Panel>& water, double at_s);
+
+ private:
+  [[nodiscard]] bool follows_forces() const;
+  [[nodiscard]] bool rests_by_statics(const std::vector<Panel>& water, double at_s);
+
+  StaticAnalysis& statics_;
+  std::optional<bool> follows_;  ///< none before the first step
+  bool rested_ = false;          ///< as the step began
+  Standing before_;
+  EnergyBalance balance_before_;
+};
+
+}  // namespace blockweir::solid
