@@ -19,16 +19,23 @@ constexpr double still = 1e-6;  // of a fall through the step
 /// (centred_forces.hpp), or statics would take too long.
 bool MotionFromRest::follows_forces() const {
   if (!model_.is(scene::AnalysisKind::dynamic) || model_.scene.base_motion || !state_.supports.empty()) return false;
+  if (!formulation_->holds_exactly()) return false;  // springs swing
   const auto moves = [](const Block& b) { return !b.fixed; };
   const auto strains = [](const Block& b) { return !b.fixed && !b.rigid; };
   return model_.boundary.empty() && std::none_of(model_.blocks.begin(), model_.blocks.end(), strains) &&
          3 * std::count_if(model_.blocks.begin(), model_.blocks.end(), moves) <= few_unknowns;
 }
 
+/// By forces: what is let go has none yet.
+bool MotionFromRest::is_held() const {
+  return std::any_of(state_.contacts.begin(), state_.contacts.end(),
+                     [](const ContactPoint& c) { return !c.force.isZero(0); });
+}
+
 void MotionFromRest::begin_step(double dt) {
   const double fall_m_per_s = model_.scene.analysis.gravity_m_per_s2 * dt;
   if (!follows_) follows_ = follows_forces();
-  rested_ = *follows_ && !state_.guard.acts() && state_.fastest_m_per_s() <= still * fall_m_per_s;
+  rested_ = *follows_ && !state_.guard.acts() && state_.fastest_m_per_s() <= still * fall_m_per_s && is_held();
   if (!rested_) return;
   before_ = state_;
   balance_before_ = state_.energy;

@@ -23,6 +23,7 @@ class MotionFromRest : StepPart {
 
  private:
   [[nodiscard]] bool follows_forces() const;
+  [[nodiscard]] bool is_held() const;
   [[nodiscard]] bool rests_by_statics(const std::vector<Panel>& water, double at_s);
 
   StaticAnalysis& statics_;

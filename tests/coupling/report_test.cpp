@@ -1,75 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
 // blockweir report: one page that a browser opens without an error and a reader can use.
-#include <regex>
-
-#include "tests/coupling/masonry_wall.hpp"
-#include "tests/processes.hpp"
+#include "tests/coupling/report_page.hpp"
 
 namespace blockweir::test::report_test {
 namespace {
 
 using testing::HasSubstr;
-
-class Report : public Processes {
- protected:
-  void write_scene() const {
-    std::ofstream(folder / "wall.toml") << R"(title = "a wall </script><b>holds</b> a pond"
-analysis = { duration_s = 4 }
-water = { upstream_level_m = { from = 4, rate_per_s = 0.1 } }
-joint = { friction_angle_deg = 30, uplift = "triangular" }
-)" << masonry_wall << R"([[joints]]
-name = "base"
-between = ["rock", "wall"]
-[[point_load]]
-block = "wall"
-point_m = [0, 5]
-force_n_per_m = [1000, 0]
-[[bolt]]
-name = "anchor"
-from_block = "wall"
-to_block = "rock"
-from_m = [0.5, 5]
-to_m = [1, -2]
-stiffness_n_per_m2 = 1e6
-prestress_n_per_m = 5e3
-yield_n_per_m = 6e3
-[[load_case]]
-name = "low water"
-class = "usual"
-set = ["water.upstream_level_m=2"]
-required_factor = 1.5
-source = "a guideline"
-)";
-  }
-  /// The page with the probe in it, opened; what the probe saw.
-  [[nodiscard]] nlohmann::json opened(const std::string& page) const {
-    const auto put = [&](std::string text, const std::string& before, const std::string& script) {
-      return text.insert(text.rfind(before), "<script>" + script + "</script>");
-    };
-    std::ostringstream probe;
-    probe << std::ifstream(std::string(BLOCKWEIR_SOURCE) + "/tests/coupling/report_probe.js").rdbuf();
-    std::string html = put(text(page), "</body>", probe.str());
-    html = put(html, "<title>",
-               "window.faults = []; addEventListener('error', e => faults.push(e.message)); for (const kind of "
-               "['error', 'warn']) console[kind] = text => faults.push(String(text));");
-    std::ofstream(folder / "probed.html") << html;
-    const std::string chromium =
-        "chromium --headless --no-sandbox --disable-gpu --user-data-dir=browser --virtual-time-budget=30000 --dump-dom "
-        "file://" +
-        (folder / "probed.html").string();
-    EXPECT_EQ(shell(chromium + " 2>browser.log"), 0)
-        << "is Chromium installed (./blockweir test does)? " << text("out") << text("browser.log");
-    std::smatch found;
-    const std::string dom = text("out");
-    if (!std::regex_search(dom, found, std::regex("<pre>([^<]*)</pre>"))) return {};
-    std::string answer = found[1];
-    for (const auto& [code, letter] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&amp;", "&"}}) {
-      answer = std::regex_replace(answer, std::regex(code), letter);
-    }
-    return nlohmann::json::parse(answer, nullptr, /*allow_exceptions=*/false);
-  }
-};
 
 TEST_F(Report, OpensInABrowserAndCanBeUsed) {
   write_scene();
@@ -225,41 +162,6 @@ between = ["head", "foot"]
                              "straight through the structure: .*on joint \"lift\""));
 }
 
-TEST_F(Report, OfARunThatIsThereTakesItsResults) {
-  write_scene();
-  ASSERT_EQ(shell(programs + "/blockweir run wall.toml --quiet --out run"), 0) << text("out");
-  ASSERT_EQ(shell(programs + "/blockweir report run"), 0) << text("out");
-  EXPECT_THAT(text("run/report.html"), HasSubstr("\"outcome\":\"fails\""));
-  EXPECT_EQ(shell(programs + "/blockweir report run --set joint.friction_angle_deg=50"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("found a run, beside --set or --variant; expected a scene"));
-}
-
-TEST_F(Report, ASummaryThatIsCutOffIsToldFromOneThatIsMissing) {
-  write_scene();
-  ASSERT_EQ(shell(programs + "/blockweir run wall.toml --out r --quiet"), 0) << text("out");
-  fs::resize_file(folder / "r/summary.json", fs::file_size(folder / "r/summary.json") / 2);
-  EXPECT_EQ(shell(programs + "/blockweir report r"), 2);
-  EXPECT_THAT(text("out"),
-              HasSubstr("r: found a summary.json that is cut off or damaged; expected the whole file; make "
-                        "the run anew with blockweir run r/scene.toml"));
-  fs::remove(folder / "r/summary.json");
-  EXPECT_EQ(shell(programs + "/blockweir report r"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("r: found a run without a summary.json; expected one that has ended; make it anew "
-                                     "with blockweir run r/scene.toml, as it has no checkpoint"));
-}
-
-TEST_F(Report, OfResultsThatAreNoRunSaysThatItRunsTheirScene) {
-  write_scene();
-  ASSERT_EQ(shell(programs + "/blockweir level wall.toml --out l --quiet"), 0) << text("out");
-  EXPECT_EQ(shell(programs + "/blockweir report l --run r --out page.html"), 0);
-  EXPECT_THAT(text("out"),
-              HasSubstr("l: these are results of \"blockweir level\", not of a run: their scene is run first\n"));
-  fs::remove(folder / "l/scene.toml");  // as in a folder of reliability
-  EXPECT_EQ(shell(programs + "/blockweir report l"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("l: found results of \"blockweir level\", without its scene; expected a folder"));
-  EXPECT_THAT(text("out"), testing::Not(HasSubstr("is run first")));
-}
-
 /// A load case with `set = []`, and the scene as written, are one row, one table and one picture.
 TEST_F(Report, ShowsALoadCaseThatIsTheSceneAsWrittenOnce) {
   write_scene();
@@ -295,18 +197,6 @@ TEST_F(Report, ShowsTheLevelAskedForFarFromTheCurve) {
   const nlohmann::json seen = opened("wall.html");
   EXPECT_THAT(seen["reliability"].get<std::string>(), HasSubstr("Dashed red: the level that is asked for"));
   EXPECT_EQ(seen["asked_lines"], 1);
-}
-
-TEST_F(Report, WritesNothingWhereItCannot) {
-  write_scene();
-  EXPECT_EQ(shell(programs + "/blockweir report wall.toml --out nowhere/wall.html"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("--out"));
-  EXPECT_EQ(shell(programs + "/blockweir report wall.toml --set joint.frictoin=3 --out wall.html"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("frictoin"));
-  EXPECT_EQ(shell(programs + "/blockweir report wall.toml --reliability nowhere --out wall.html"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("--reliability nowhere: found no reliability.json"));
-  EXPECT_FALSE(fs::exists(folder / "wall.html"));
-  EXPECT_FALSE(fs::exists(folder / "runs"));
 }
 
 }  // namespace
