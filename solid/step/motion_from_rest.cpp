@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/joint_flow.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -19,7 +20,8 @@ constexpr double still = 1e-6;  // of a fall through the step
 /// (centred_forces.hpp), or statics would take too long.
 bool MotionFromRest::follows_forces() const {
   if (!model_.is(scene::AnalysisKind::dynamic) || model_.scene.base_motion || !state_.supports.empty()) return false;
-  if (!formulation_->holds_exactly()) return false;  // springs swing
+  if (!formulation_->holds_exactly() || !state_.bolts.empty()) return false;  // springs swing
+  if (scene::flows_in_joints(model_.scene)) return false;                     // water answers within the step
   const auto moves = [](const Block& b) { return !b.fixed; };
   const auto strains = [](const Block& b) { return !b.fixed && !b.rigid; };
   return model_.boundary.empty() && std::none_of(model_.blocks.begin(), model_.blocks.end(), strains) &&
