@@ -46,7 +46,8 @@ void MotionFromRest::begin_step(double dt) {
 void MotionFromRest::end_step(double dt, const std::vector<Panel>& water, double at_s) {
   const double fall_m_per_s = model_.scene.analysis.gravity_m_per_s2 * dt;
   const double now_m_per_s = state_.fastest_m_per_s();
-  if (!rested_ || now_m_per_s <= still * fall_m_per_s || now_m_per_s >= fall_m_per_s) return;
+  const bool falls = now_m_per_s >= fall_m_per_s;  // held by nothing
+  if (!rested_ || falls || now_m_per_s <= still * fall_m_per_s) return;
   const Standing moving = state_;
   const EnergyBalance balance = state_.energy;
   if (rests_by_statics(water, at_s)) {

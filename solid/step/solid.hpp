@@ -26,8 +26,7 @@ class Solid {
   void settle(const std::vector<Panel>& water);
 
   /// `meanwhile` is called at the start of each step, in its attempts, between sweeps and after each solution of a
-  /// linear system, also while settling.
-  /// If it throws, the run ends, and the object must not be used any more.
+  /// linear system, also while settling. If it throws, the run ends, and the object must not be used any more.
   void call_meanwhile(std::function<void()> meanwhile) { step_.meanwhile = std::move(meanwhile); }
 
   using Answered = solid::Answered;
