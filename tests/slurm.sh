@@ -12,6 +12,18 @@ nodes=${3:-1}
 mkdir -p "$2"
 dir=$(cd "$2" && pwd)
 
+# Ports of no other Slurm that starts now, below those that the system gives to connections, with nobody behind them.
+free_port() {
+  local port offset
+  for ((port = 10000 + $$ * 8 % 20000; ; port += 8)); do
+    for ((offset = 0; offset <= nodes; ++offset)); do
+      (: <>"/dev/tcp/127.0.0.1/$((port + offset))") 2>/dev/null && continue 2
+    done
+    echo "$port"
+    return
+  done
+}
+
 names() { [ "$nodes" -eq 1 ] && hostname -s || seq -f node%g "$nodes"; }
 
 node_lines() {
@@ -27,7 +39,7 @@ up() {
   done
   local host port
   host=$(hostname -s)
-  port=$((20000 + $$ % 20000))
+  port=$(free_port)
   mkdir -p "$dir"/{state,spool,munge}
   chmod 700 "$dir/munge"
   head -c 128 /dev/urandom >"$dir/munge/key"
@@ -64,8 +76,9 @@ CONF
   export SLURM_CONF=$dir/slurm.conf
   slurmctld -f "$SLURM_CONF"
   for name in $(names); do slurmd -f "$SLURM_CONF" -N "$name"; done
-  for _ in $(seq 240); do
-    [[ $(sinfo --noheader --format=%T:%D 2>/dev/null) != "idle:$nodes" ]] || return 0
+  local -r end=$((SECONDS + 60))  # sinfo itself waits long for a controller that is not there
+  while ((SECONDS < end)); do
+    [[ $(timeout 5 sinfo --noheader --format=%T:%D 2>/dev/null) != "idle:$nodes" ]] || return 0
     sleep 0.25
   done
   tail -n 20 "$dir"/*.log >&2
