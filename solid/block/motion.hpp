@@ -51,15 +51,18 @@ class Placement {
   [[nodiscard]] const Eigen::Vector3d& strain() const { return strain_; }
 
   /// Vector between two material points, or from the centroid: R (I + E) X.
-  [[nodiscard]] Point vector(const Point& X) const { return turn(X + strained(strain_, X)); }
-  [[nodiscard]] Point position(const Point& X) const { return centre_ + vector(X); }
+  [[nodiscard]] Point vector(const Point& X) const { return turn(stretched(X)); }
+  [[nodiscard]] Point position(const Point& X) const {
+    const Point from_centre = vector(X);
+    return {centre_.x() + from_centre.x(), centre_.y() + from_centre.y()};
+  }
 
   /// Displacement of a material point from the scene as drawn, free of cancellation: its round-off error does not grow
   /// with the distance from the origin.
   [[nodiscard]] Point displacement(const Point& X) const {
     const double c1 = cos_ > 0 ? -sin_ * sin_ / (1 + cos_) : cos_ - 1;
     const Point strained_by = strained(strain_, X);
-    const Point y = X + strained_by;
+    const Point y = stretched(X);
     return moved_ + strained_by + Point(c1 * y.x() - sin_ * y.y(), sin_ * y.x() + c1 * y.y());
   }
 
@@ -77,7 +80,7 @@ class Placement {
 
   /// T^T f: the generalized force of a force at a material point.
   [[nodiscard]] Vector6 generalized(const Point& f, const Point& X) const {
-    const Point y = X + strained(strain_, X);
+    const Point y = stretched(X);
     const Point own = unturn(f);
     Vector6 force;
     force << f, y.x() * own.y() - y.y() * own.x(), X.x() * own.x(), X.y() * own.y(),
@@ -87,7 +90,7 @@ class Placement {
 
   /// Its first three: of a block whose strains are constant.
   [[nodiscard]] Eigen::Vector3d rigid_generalized(const Point& f, const Point& X) const {
-    const Point y = X + strained(strain_, X);
+    const Point y = stretched(X);
     const Point own = unturn(f);
     return {f.x(), f.y(), y.x() * own.y() - y.y() * own.x()};
   }
@@ -95,15 +98,22 @@ class Placement {
   /// Displacement of a material point when the six unknowns of this placement change by `increment`, free of
   /// cancellation: R ((R(dr) - I)(I + E) X + R(dr) dE X) + du.
   [[nodiscard]] Point increment(const Vector6& increment, const Turn& turned, const Point& X) const {
-    const Point y = X + strained(strain_, X);
+    const Point y = stretched(X);
     const Point z = strained(increment.tail<3>(), X);
     const Point moved(-turned.versed * (y.x() + z.x()) - turned.sine * (y.y() + z.y()) + z.x(),
                       turned.sine * (y.x() + z.x()) - turned.versed * (y.y() + z.y()) + z.y());
-    return increment.head<2>() + turn(moved);
+    const Point turned_back = turn(moved);
+    return {increment[0] + turned_back.x(), increment[1] + turned_back.y()};
   }
   [[nodiscard]] Point increment(const Vector6& by, const Point& X) const { return increment(by, Turn(by[2]), X); }
 
  private:
+  /// (I + E) X, number by number: pairs that go through memory cost several times as much.
+  [[nodiscard]] Point stretched(const Point& X) const {
+    const Point by = strained(strain_, X);
+    return {X.x() + by.x(), X.y() + by.y()};
+  }
+
   Point centre_ = Point::Zero();
   Point moved_ = Point::Zero();
   Eigen::Vector3d strain_ = Eigen::Vector3d::Zero();

@@ -16,11 +16,11 @@ bool precedes(const ContactPoint& a, const ContactPoint& b) {
   return place(a) < place(b);
 }
 
-namespace {
-
 bool of_lower_pair(const ContactPoint& a, const ContactPoint& b) {
   return a.pair() < b.pair();
 }
+
+namespace {
 
 /// Length over which the edge from `vertex` towards `end` lies on the edge a + s t, 0 <= s <= length; none where it
 /// comes off that by more than `off_m`.

@@ -15,6 +15,7 @@ namespace blockweir::solid {
 
 /// The order in which contacts are found and kept.
 [[nodiscard]] bool precedes(const ContactPoint& a, const ContactPoint& b);
+[[nodiscard]] bool of_lower_pair(const ContactPoint& a, const ContactPoint& b);
 
 /// Vertex to edge is the only kind of contact. Edge to edge is two of them, at the ends of the overlap. Vertex to
 /// vertex, if both are convex, is a contact with the entrance edge, the one less penetrated.

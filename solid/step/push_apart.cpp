@@ -48,9 +48,8 @@ bool PushApart::push(const IslandEquations& s) {
   // What stands keeps its corners where they are.
   if (trial_.falls()) {
     const double deepest_m = this->deepest_m();
-    const double moved_m = trial_.largest_increment();
     passing_ = state_.search.passing(s.island.blocks);
-    std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, moved_m, deepest_m); });
+    std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, trial_.moved_m, deepest_m); });
     for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
   }
   for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) push_once(s);
@@ -78,7 +77,7 @@ void PushApart::push_once(const IslandEquations& s) {
 
 /// No block is pushed farther than the step has moved one and leaves it in another, nor turned farther than a step may.
 double PushApart::affordable(const Push& push, double deepest_m) const {
-  const double farthest_m = trial_.largest_increment() + deepest_m;
+  const double farthest_m = trial_.moved_m + deepest_m;
   double share = 1;
   for (std::size_t k = 0; k < push.bodies.size(); ++k) {
     const double turn = std::abs(push.moved[k][2]);

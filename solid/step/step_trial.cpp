@@ -61,7 +61,7 @@ void StepTrial::set_matrices(double step_s, const Newmark& of_scheme) {
 }
 
 void StepTrial::begin() {
-  falls_ = state_.fastest_m_per_s() * dt > fall_m();
+  fastest_m_per_s_ = state_.fastest_m_per_s();
   for_each(model_.blocks.size(), [&](std::size_t b) {
     const bool own = !model_.blocks[b].is_part() && b >= state_.guard.blocks();
     history[b] = own ? scheme.history(model_.blocks[b].inertia, state_.blocks[b], dt)
@@ -130,7 +130,7 @@ Matrix6 StepTrial::inertia(std::size_t b) const {
   return mass;
 }
 
-bool StepTrial::goes_too_far(double moved_m) const {
+bool StepTrial::goes_too_far() const {
   return !(moved_m <= model_.scene.analysis.max_displacement_ratio * model_.size_m &&
            (moved_m == 0 || largest_turn() <= ContactSearch::most_turn));
 }

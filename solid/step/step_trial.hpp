@@ -19,6 +19,7 @@ class StepTrial {
   Newmark scheme;            ///< for which the matrices were made
   double dt = -1;            ///< the same [s]; negative: matrices must be made again
   double end_s = 0;          ///< of the step
+  double moved_m = 0;        ///< largest displacement of any vertex, as solved
 
   std::vector<Matrix6> matrix;         ///< inertia and elasticity
   std::vector<Vector6> external;       ///< loads at the end of the step
@@ -65,12 +66,14 @@ class StepTrial {
   [[nodiscard]] double retardation_s(std::size_t b) const { return model_.blocks[b].retardation.of(slides_[b]); }
   /// Twice the free fall from rest in the step: a measure of the integrator's error [m].
   [[nodiscard]] double fall_m() const { return model_.scene.analysis.gravity_m_per_s2 * dt * dt; }
-  /// Whether a block is faster than this at the start of the step.
-  [[nodiscard]] bool falls() const { return falls_; }
+  /// Of the blocks, at the start of the step.
+  [[nodiscard]] double fastest_m_per_s() const { return fastest_m_per_s_; }
+  /// Whether a block is faster than this fall.
+  [[nodiscard]] bool falls() const { return fastest_m_per_s_ * dt > fall_m(); }
   /// Largest displacement of any vertex [m].
   [[nodiscard]] double largest_increment() const;
-  /// Whether a block moves this far in the step, or rotates more than a step may.
-  [[nodiscard]] bool goes_too_far(double moved_m) const;
+  /// Whether a block has moved or turned more than a step may.
+  [[nodiscard]] bool goes_too_far() const;
 
  private:
   void predict_nodes();
@@ -82,7 +85,7 @@ class StepTrial {
   std::vector<bool> slides_;    ///< has a slipping contact at the start of the step
   std::vector<Vector6> still_;  ///< zero increments
   std::vector<Turn> unturned_;  ///< theirs
-  bool falls_ = false;
+  double fastest_m_per_s_ = 0;
 };
 
 }  // namespace blockweir::solid

@@ -31,7 +31,7 @@ constexpr double most_at_first = 400;  // of the first step that is swept: what 
 Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
   if (s.is_free() && fly(s)) return Found::by_newton_after_sweeps;
   ++counts_.swept_islands;
-  moves_m_ = state_.fastest_m_per_s() * trial_.dt;
+  moves_m_ = trial_.fastest_m_per_s() * trial_.dt;
   begin(s);
   const bool few = s.unknowns->total <= few_unknowns;
   const bool begins = !state_.whole_law.after_failure();

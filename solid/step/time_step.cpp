@@ -41,12 +41,12 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   begin(stretch, mode);
   begin_with_forces_tried();
   const bool solved = solve(mode);
-  const double moved = trial_.largest_increment();
+  const double moved = trial_.moved_m = trial_.largest_increment();
   StepEnd end(step_, islands_, water_);
   Outcome outcome = Outcome::made;
   if (!solved) {
     outcome = Outcome::not_found;
-  } else if (trial_.goes_too_far(moved)) {
+  } else if (trial_.goes_too_far()) {
     outcome = Outcome::too_far;
   } else if (mode.smooth_only && (contacts_change() || !end.affords_motion(stretch.dt))) {
     outcome = Outcome::contacts_change;
@@ -86,12 +86,14 @@ bool TimeStep::has_seen(bool made, double moved_m, const StepMode& mode) {
 bool TimeStep::slid_over_its_end(const ContactPoint& c) const {
   const std::size_t corners = model_.parts.contact_outlines[at(c.vertex_block)].size();
   const std::size_t sides = model_.parts.contact_outlines[at(c.edge_block)].size();
-  for (std::size_t k = 0; k < state_.contacts.size(); ++k) {
-    const ContactPoint& other = state_.contacts[k];
-    if (other.vertex_block != c.edge_block || other.edge_block != c.vertex_block) continue;
+  const auto [first, last] = std::equal_range(state_.contacts.begin(), state_.contacts.end(), c, of_lower_pair);
+  for (auto other_at = first; other_at != last; ++other_at) {
+    const ContactPoint& other = *other_at;
+    if (other.vertex_block != c.edge_block) continue;
     const bool at_end = other.vertex == c.edge || at(other.vertex) == next(at(c.edge), sides);
     const bool on_side = other.edge == c.vertex || next(at(other.edge), corners) == at(c.vertex);
-    const bool pressed = formulation_->before().contact(static_cast<int>(k)).state != ContactState::open;
+    const bool pressed = formulation_->before().contact(static_cast<int>(other_at - state_.contacts.begin())).state !=
+                         ContactState::open;
     if (at_end && on_side && pressed) return true;
   }
   return false;

@@ -42,15 +42,17 @@ TEST(StepTrial, AStepGoesTooFarByAPathOrByATurn) {
   sample.begin(0.01);
   StepTrial& trial = sample.step.trial;
   Vector6 moved = Vector6::Zero();
-  EXPECT_FALSE(trial.goes_too_far(trial.largest_increment()));
+  EXPECT_FALSE(trial.goes_too_far());
   moved[0] = 2 * sample.scene.analysis.max_displacement_ratio * sample.model.size_m;
   trial.go_to(1, moved);
-  EXPECT_DOUBLE_EQ(trial.largest_increment(), moved[0]);
-  EXPECT_TRUE(trial.goes_too_far(trial.largest_increment()));
+  trial.moved_m = trial.largest_increment();
+  EXPECT_DOUBLE_EQ(trial.moved_m, moved[0]);
+  EXPECT_TRUE(trial.goes_too_far());
   moved[0] = 0;
   moved[2] = 2 * ContactSearch::most_turn;
   trial.go_to(1, moved);
-  EXPECT_TRUE(trial.goes_too_far(1e-6));
+  trial.moved_m = 1e-6;
+  EXPECT_TRUE(trial.goes_too_far());
 }
 
 TEST(StepTrial, AFallIsThatOfGravity) {
