@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "bridge/scene/at.hpp"
 #include "solid/step/step_energy.hpp"
@@ -156,10 +157,36 @@ bool StepEnergy::affords(const IslandEquations& s) const {
                      [](const Group& group) { return !group.may_let_go || group.owed <= much * group.kinetic; });
 }
 
+/// What moves and has pushed what stands pays for that: it has something to pay with.
+void StepEnergy::pass_debts_on(const IslandEquations& s, const std::vector<int>& group_of,
+                               std::vector<Group>& groups) const {
+  std::vector<Group*> payer(groups.size(), nullptr);
+  for (const int k : s.island.contacts) {
+    const ContactPoint& c = state_.contacts[at(k)];
+    if (c.gap > formulation_->settings().lasting_overlap_m) continue;
+    if (!trial_.moves(c.vertex_part) || !trial_.moves(c.edge_part)) continue;
+    const int a = group_of[at(s.local(c.vertex_part))];
+    const int b = group_of[at(s.local(c.edge_part))];
+    if (a == b) continue;
+    for (const auto& [owes, pays] : {std::pair(a, b), std::pair(b, a)}) {
+      Group& other = groups[at(pays)];
+      if (groups[at(owes)].owed == 0 || other.owed > 0 || !other.watched()) continue;
+      Group*& best = payer[at(owes)];
+      if (best == nullptr || other.kinetic > best->kinetic) best = &other;
+    }
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    if (payer[g] == nullptr) continue;
+    payer[g]->made += std::exchange(groups[g].owed, 0.0);
+    payer[g]->settle();
+  }
+}
+
 void StepEnergy::take_back(IslandEquations& s) {
   std::vector<int> group_of;
-  const std::vector<Group> groups = makers(s, group_of);
+  std::vector<Group> groups = makers(s, group_of);
   if (groups.empty()) return;
+  pass_debts_on(s, group_of, groups);
   for (std::size_t k = 0; k < group_of.size(); ++k) {
     const Group& group = groups[at(group_of[k])];
     const auto b = at(s.island.blocks[k]);

@@ -45,6 +45,7 @@ class StepEnergy : StepPart {
   [[nodiscard]] std::vector<Group> makers(const IslandEquations& island, std::vector<int>& group_of) const;
   [[nodiscard]] Eigen::Matrix<double, 6, 3> rigid_of(const IslandEquations& island, const std::vector<int>& group_of,
                                                      std::size_t block) const;
+  void pass_debts_on(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
   void look_at_links(const IslandEquations& island, const std::vector<int>& group_of, std::vector<Group>& groups) const;
 
   std::vector<Point> pushes_;    ///< force of a moving base on each block at the end of the step; empty without one
