@@ -85,6 +85,7 @@ class StopSignals {
   const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file >= 0) ::dup2(file, STDERR_FILENO);
   if (file >= 0 && !command.output.empty()) ::dup2(file, STDOUT_FILENO);
+  if (command.aside) (void)!::nice(10);  // the others have the processors first
   if (command.inherited_fd >= 0) ::fcntl(command.inherited_fd, F_SETFD, 0);
   for (const std::string& setting : command.environment) ::putenv(const_cast<char*>(setting.c_str()));
   std::vector<char*> words;
