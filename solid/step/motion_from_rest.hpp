@@ -4,6 +4,7 @@
 // can stay is told as by a static analysis: by slips without velocity, until forces balance or it moves on.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -15,16 +16,25 @@ class MotionFromRest : StepPart {
  public:
   MotionFromRest(StepWorkspace& step, StaticAnalysis& statics) : StepPart(step), statics_(statics) {}
 
+  /// Of a structure that no settling steps have brought to rest: does statics find a state of rest for it?
+  [[nodiscard]] bool starts_at_rest(const std::vector<Panel>& water);
   /// Before a step.
   void begin_step(double dt);
   /// After a step that was made: where it began a motion and statics finds a state of rest within hardly any slip, that
   /// is the step's end.
   void end_step(double dt, const std::vector<Panel>& water, double at_s);
 
+  struct Search {
+    int most_steps;
+    double hardly;  ///< no rest where a block has gone farther, as a part of failure_displacement_m
+  };
+
  private:
   [[nodiscard]] bool follows_forces() const;
+  [[nodiscard]] bool moves_by_itself() const;
+  [[nodiscard]] std::ptrdiff_t moving_blocks() const;
   [[nodiscard]] bool is_held() const;
-  [[nodiscard]] bool rests_by_statics(const std::vector<Panel>& water, double at_s);
+  [[nodiscard]] bool rests_by_statics(const std::vector<Panel>& water, double at_s, const Search& search);
 
   StaticAnalysis& statics_;
   std::optional<bool> follows_;  ///< none before the first step

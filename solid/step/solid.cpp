@@ -39,7 +39,7 @@ void look_at_overlaps(StepWorkspace& step) {
 }  // namespace
 
 void Solid::settle(const std::vector<Panel>& water) {
-  starts_at_rest_ = InitialEquilibrium(step_, time_step_).settle(water);
+  starts_at_rest_ = InitialEquilibrium(step_, time_step_).settle(water) || from_rest_.starts_at_rest(water);
 }
 
 void Solid::advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses) {
