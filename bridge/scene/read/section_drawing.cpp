@@ -8,7 +8,9 @@
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/read/drawing_layers.hpp"
 #include "bridge/scene/read/dxf.hpp"
+#include "bridge/scene/read/dxf_entities.hpp"
 #include "bridge/scene/read/dxf_pairs.hpp"
 #include "bridge/scene/read/table_reader.hpp"
 
@@ -51,15 +53,6 @@ std::vector<Ring> rings_of(std::vector<Ring> pieces) {
   return rings;
 }
 
-/// The name of the cut that a layer draws; empty for other layers.
-std::string cut_name(const std::string& layer) {
-  const std::string word = "joints";
-  if (layer == word) return "joint";
-  const bool named = layer.size() > word.size() + 1 && layer.starts_with(word) &&
-                     std::string(" -_").find(layer[word.size()]) != std::string::npos;
-  return named ? layer.substr(word.size() + 1) : "";
-}
-
 /// The law that the scene states for cuts of this name: its [[cut]] without points, which then has served.
 toml::table law_of(const toml::array& given, const std::string& name) {
   for (const auto& node : given) {
@@ -73,7 +66,7 @@ toml::array cuts_of(const DxfDrawing& drawing, const toml::array& given) {
   toml::array cuts;
   std::vector<std::string> drawn;
   for (const DxfDrawing::Line& line : drawing.lines) {
-    const std::string name = cut_name(line.layer);
+    const std::string name = cut_of_layer(line.layer);
     if (name.empty()) continue;
     toml::table cut = law_of(given, name);
     cut.insert_or_assign("points_m", array_of(line.points));
@@ -124,13 +117,12 @@ bool take_drawing(toml::table& file, const std::filesystem::path& folder, Proble
                      "export the drawing again");
       return true;
     }
+    const std::size_t before = problems.count();
+    check_layers(entities_of_dxf(folder / *name), folder / *name, problems);
+    if (problems.count() > before) return true;
     drawing = read_dxf(folder / *name);
   } catch (const std::runtime_error& error) {
     return refuse(error.what(), "a DXF file, its path from the scene's folder", "check the path, or export it again");
-  }
-  if (drawing.curves > 0) {
-    return refuse(fmt::format("{} arcs or other curves", drawing.curves), "lines, polylines and points",
-                  "approximate curves by polylines");
   }
   scale(drawing, *unit);
   std::vector<Ring> pieces;
