@@ -155,6 +155,23 @@ TEST_F(Drawing, PartsOfABlockAreDrawnNowhereAndWhatPlacesThemIsRefused) {
               SizeIs(1));
 }
 
+TEST_F(Drawing, CapitalsOfACutDoNotCount) {
+  const std::string lines = square + line("Joints LIFT a", 0, 2, 4, 2) + entity("POINT", "supports", point(1, 0)) +
+                            entity("POINT", "supports", point(1, 4));
+  const Scene s = read(scene(drawing(lines), "[[cut]]\nname = \"Lift A\"\ncohesion_pa = 7\n")).scene;
+  ASSERT_THAT(s.joints, SizeIs(1));
+  EXPECT_EQ(s.joints[0].name, "Lift A");
+  EXPECT_EQ(s.joints[0].law.cohesion_pa, 7);
+  const std::string told = error(scene(drawing(lines), "[[cut]]\nname = \"lift B\"\ncohesion_pa = 7\n"));
+  EXPECT_THAT(told, HasSubstr("scene.toml:10: error: [[cut]] \"lift B\" has no points_m, and no line is on "
+                              "the layer \"joints lift b\""));
+  EXPECT_THAT(told, HasSubstr("did you mean \"joints lift a\"?"));
+  EXPECT_THAT(error(scene(drawing(square), "[[cut]]\nname = \"joint\"\n")),
+              HasSubstr("on the layer \"joints\"; expected one of them; draw it on that layer, or add points_m"));
+  const std::string twice = "[[cut]]\nname = \"lift A\"\n[[cut]]\nname = \"lift a\"\n";
+  EXPECT_THAT(error(scene(drawing(lines), twice)), HasSubstr("[[cut]] \"lift a\" has no \"points_m\""));
+}
+
 TEST_F(Drawing, LayersThatAreNotUsedAreTold) {
   const std::string held = entity("POINT", "supports", point(1, 0));
   for (const std::string layer : {"joint lift", "jionts", "Jointslift", "sections", "support"}) {
