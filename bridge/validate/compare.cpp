@@ -10,6 +10,8 @@
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/wrapped.hpp"
 #include "bridge/scene/diagnostic.hpp"
+#include "bridge/scene/read/collected_errors.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/study/study.hpp"
 #include "bridge/validate/cases_folder.hpp"
 #include "bridge/validate/compared_run.hpp"
@@ -33,6 +35,13 @@ std::vector<fs::path> chosen(const CompareOptions& options) {
   std::vector<fs::path> cases;
   for (const char* name : usual_cases) cases.push_back(cases_folder() / name);
   return cases;
+}
+
+/// What is wrong with a scene as it stands is told once, and before any run.
+void refuse_wrong_scenes(const std::vector<fs::path>& scenes) {
+  scene::CollectedErrors wrong;
+  for (const fs::path& scene : scenes) wrong.from([&] { scene::read(scene); });
+  wrong.report();
 }
 
 /// Two runs: one for the time, and one with condition numbers, which take far longer than the run.
@@ -105,6 +114,7 @@ int compare(const CompareOptions& options) {
     const std::string found = process::answers_in(scene);
     if (!found.empty()) fmt::print(stderr, "{}: these are {}: their scene is run\n", scene.string(), found);
   }
+  refuse_wrong_scenes(options.cases);
   if (!options.fluids.empty()) return compare_fluids(options);
   if (!options.json.empty()) results::require_writable_file("--json", options.json, {".json"});
   if (!options.out.empty()) results::make_folder(options.out);

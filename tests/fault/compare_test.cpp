@@ -64,8 +64,7 @@ TEST_F(Compare, HasTheReasonOfEachMissingRunAndLeavesNothingOfIt) {
   const struct {
     std::string words;
     const char* reason;
-  } missing[] = {{"nowhere.toml", "nowhere.toml: error: there is no such file; expected a scene file"},
-                 {cases + "incline --set analysis.step_s=-1", "step_s in [analysis] is -1; expected a number above 0"},
+  } missing[] = {{cases + "incline --set analysis.step_s=-1", "step_s in [analysis] is -1; expected a number above 0"},
                  {cases + "incline --set joint.friction=3", "unknown key \"friction\" in [joint]; expected one of"}};
   for (const auto& [words, reason] : missing) {
     ASSERT_EQ(shell(programs + "/blockweir compare " + words + " --out kept --json table.json"), 1) << text("out");
@@ -79,6 +78,18 @@ TEST_F(Compare, HasTheReasonOfEachMissingRunAndLeavesNothingOfIt) {
                       testing::HasSubstr("--set 'contact.formulation=" + row["formulation"].get<std::string>() + "'")));
     }
     EXPECT_FALSE(fs::exists(folder / "kept"));
+  }
+}
+
+TEST_F(Compare, RefusesScenesThatAreNoneOnceAndBeforeAnyRun) {
+  for (const std::string fluids : {"", " --fluids reservoir,hydrostatic"}) {
+    const std::string words = cases + "incline nowhere.toml" + fluids;
+    EXPECT_EQ(shell(programs + "/blockweir compare " + words + " --out kept --json table.json"), 2);
+    EXPECT_EQ(text("out"),
+              "nowhere.toml: error: there is no such file; expected a scene file, or a folder that holds scene.toml; "
+              "check the path\n");
+    EXPECT_FALSE(fs::exists(folder / "kept"));
+    EXPECT_FALSE(fs::exists(folder / "table.json"));
   }
 }
 

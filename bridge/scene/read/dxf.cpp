@@ -18,29 +18,30 @@ class Listener : public DL_CreationAdapter {
 
   void addLine(const DL_LineData& line) override {
     finish();
-    drawing_.lines.push_back({layer(), {Point(line.x1, line.y1), Point(line.x2, line.y2)}});
+    if (is_drawn()) drawing_.lines.push_back({layer(), {Point(line.x1, line.y1), Point(line.x2, line.y2)}});
   }
   void addPoint(const DL_PointData& point) override {
     finish();
-    drawing_.marks.push_back({layer(), Point(point.x, point.y)});
+    if (is_drawn()) drawing_.marks.push_back({layer(), Point(point.x, point.y)});
   }
   void addPolyline(const DL_PolylineData& polyline) override {
     finish();
+    if (!is_drawn()) return;
     drawing_.lines.push_back({layer(), {}});
     open_ = true;
     closed_ = (polyline.flags & 1) != 0;
   }
   void addVertex(const DL_VertexData& vertex) override {
-    if (!open_) return;
-    drawing_.lines.back().points.emplace_back(vertex.x, vertex.y);
-    if (vertex.bulge != 0) ++drawing_.curves;
+    if (open_) drawing_.lines.back().points.emplace_back(vertex.x, vertex.y);
   }
-  void addArc(const DL_ArcData& /*arc*/) override { ++drawing_.curves; }
-  void addCircle(const DL_CircleData& /*circle*/) override { ++drawing_.curves; }
-  void addEllipse(const DL_EllipseData& /*ellipse*/) override { ++drawing_.curves; }
-  void endSection() override { finish(); }
+  void addBlock(const DL_BlockData& /*block*/) override { in_block_ = true; }
+  void endBlock() override {
+    finish();
+    in_block_ = false;
+  }
 
-  /// Closes the present polyline, if any: dxflib shows its end only by the next entity.
+  /// Closes the present polyline, if any. Old ones end where the next entity begins: their points come one by one, and
+  /// dxflib calls endSection() after each.
   void finish() {
     if (!open_) return;
     open_ = false;
@@ -50,6 +51,8 @@ class Listener : public DL_CreationAdapter {
   }
 
  private:
+  /// What is part of a BLOCK draws nothing by itself, and a sheet of paper has other lengths.
+  [[nodiscard]] bool is_drawn() const { return !in_block_ && !attributes.isInPaperSpace(); }
   [[nodiscard]] std::string layer() const {
     std::string name = attributes.getLayer();
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -59,6 +62,7 @@ class Listener : public DL_CreationAdapter {
   DxfDrawing& drawing_;
   bool open_ = false;
   bool closed_ = false;
+  bool in_block_ = false;
 };
 
 }  // namespace

@@ -21,10 +21,9 @@ struct DxfDrawing {
   };
   std::vector<Line> lines;
   std::vector<Mark> marks;
-  int curves = 0;  ///< number of arcs, circles, ellipses and bulges, which are not read
 };
 
-/// Throws std::runtime_error if the file cannot be read.
+/// Bulges are taken as straight: entities_of_dxf tells them. Throws std::runtime_error if the file cannot be read.
 DxfDrawing read_dxf(const std::filesystem::path& file);
 
 }  // namespace blockweir::scene

@@ -4,12 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <set>
 #include <stdexcept>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/geometry/polygon.hpp"
+#include "bridge/scene/read/drawing_layers.hpp"
 #include "bridge/scene/read/dxf.hpp"
+#include "bridge/scene/read/dxf_entities.hpp"
 #include "bridge/scene/read/dxf_pairs.hpp"
+#include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/table_reader.hpp"
 
 namespace blockweir::scene {
@@ -51,42 +56,46 @@ std::vector<Ring> rings_of(std::vector<Ring> pieces) {
   return rings;
 }
 
-/// The name of the cut that a layer draws; empty for other layers.
-std::string cut_name(const std::string& layer) {
-  const std::string word = "joints";
-  if (layer == word) return "joint";
-  const bool named = layer.size() > word.size() + 1 && layer.starts_with(word) &&
-                     std::string(" -_").find(layer[word.size()]) != std::string::npos;
-  return named ? layer.substr(word.size() + 1) : "";
+bool lacks_points(const toml::table* cut) {
+  return cut != nullptr && !cut->contains("points_m") && (*cut)["name"].is_string();
 }
 
-/// The law that the scene states for cuts of this name: its [[cut]] without points, which then has served.
-toml::table law_of(const toml::array& given, const std::string& name) {
-  for (const auto& node : given) {
-    const toml::table* cut = node.as_table();
-    if (cut != nullptr && !cut->contains("points_m") && (*cut)["name"].value<std::string>() == name) return *cut;
+/// Where the scene states the law for cuts of this name: its first [[cut]] without points; capitals do not count.
+std::optional<std::size_t> law_of(const toml::array& given, const std::string& name) {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const toml::table* cut = given[i].as_table();
+    if (lacks_points(cut) && boost::iequals((*cut)["name"].value_or(std::string()), name)) return i;
   }
-  return toml::table{{"name", name}};
+  return std::nullopt;
 }
 
-toml::array cuts_of(const DxfDrawing& drawing, const toml::array& given) {
+toml::array cuts_of(const DxfDrawing& drawing, const toml::array& given, Problems& problems) {
   toml::array cuts;
-  std::vector<std::string> drawn;
+  std::set<std::size_t> served;
+  std::vector<std::string> layers;
   for (const DxfDrawing::Line& line : drawing.lines) {
-    const std::string name = cut_name(line.layer);
+    layers.push_back(line.layer);
+    const std::string name = cut_of_layer(line.layer);
     if (name.empty()) continue;
-    toml::table cut = law_of(given, name);
+    const auto law = law_of(given, name);
+    toml::table cut = law ? *given[*law].as_table() : toml::table{{"name", name}};
+    if (law) served.insert(*law);
     cut.insert_or_assign("points_m", array_of(line.points));
     cut.insert_or_assign("drawn", true);
     cuts.push_back(std::move(cut));
-    drawn.push_back(name);
   }
-  for (const auto& node : given) {
-    const toml::table* cut = node.as_table();
-    const auto name = cut == nullptr ? std::nullopt : (*cut)["name"].value<std::string>();
-    const bool served = cut != nullptr && !cut->contains("points_m") && name &&
-                        std::find(drawn.begin(), drawn.end(), *name) != drawn.end();
-    if (!served) cuts.push_back(node);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (served.contains(i)) continue;
+    cuts.push_back(given[i]);
+    const toml::table* cut = given[i].as_table();
+    const std::string name = lacks_points(cut) ? (*cut)["name"].value_or(std::string()) : "";
+    const auto law = law_of(given, name);
+    if (name.empty() || served.contains(law.value_or(i))) continue;  // a second of one name is told as such
+    const std::string layer = layer_of_cut(name);
+    const std::string near = did_you_mean(layer, layers);
+    problems.error(problems.at(cut->source()),
+                   fmt::format("[[cut]] \"{}\" has no points_m, and no line is on the layer \"{}\"", name, layer),
+                   "one of them", near.empty() ? "draw it on that layer, or add points_m = ..." : near);
   }
   return cuts;
 }
@@ -124,13 +133,12 @@ bool take_drawing(toml::table& file, const std::filesystem::path& folder, Proble
                      "export the drawing again");
       return true;
     }
+    const std::size_t before = problems.count();
+    check_layers(entities_of_dxf(folder / *name), folder / *name, problems);
+    if (problems.count() > before) return true;
     drawing = read_dxf(folder / *name);
   } catch (const std::runtime_error& error) {
     return refuse(error.what(), "a DXF file, its path from the scene's folder", "check the path, or export it again");
-  }
-  if (drawing.curves > 0) {
-    return refuse(fmt::format("{} arcs or other curves", drawing.curves), "lines, polylines and points",
-                  "approximate curves by polylines");
   }
   scale(drawing, *unit);
   std::vector<Ring> pieces;
@@ -153,8 +161,9 @@ bool take_drawing(toml::table& file, const std::filesystem::path& folder, Proble
     if (mark.layer == "supports") held.push_back(array_of(mark.point));
   }
   if (!held.empty()) section->insert_or_assign("held_points_m", std::move(held));
+  const toml::array none;
   const toml::array* given = file["cut"].as_array();
-  toml::array cuts = cuts_of(drawing, given == nullptr ? toml::array{} : *given);
+  toml::array cuts = cuts_of(drawing, given == nullptr ? none : *given, problems);  // a copy would have no lines
   if (!cuts.empty()) file.insert_or_assign("cut", std::move(cuts));
   return true;
 }
