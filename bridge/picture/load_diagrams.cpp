@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/picture/load_diagrams.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <numeric>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "bridge/picture/force_text.hpp"
 #include "bridge/picture/json_point.hpp"
@@ -43,29 +49,80 @@ bool pulls(const json& load) {
   return load["kind"] == "added water" && load.value("from_downstream", x < 0) == (x > 0);
 }
 
+/// Of each load, the largest force a metre of it and of those of its kind that go on where it ends, as uplift does from
+/// one joint of a line to the next: drawn to one scale, they make one diagram.
+std::vector<double> largest_in_line(const json& loads, double size_m) {
+  constexpr double near = 1e-6;  // of the structure
+  std::vector<std::size_t> next(loads.size());
+  std::iota(next.begin(), next.end(), 0);
+  const auto first_of = [&](std::size_t i) {
+    while (next[i] != i) i = next[i];
+    return i;
+  };
+  std::map<std::tuple<std::string, long long, long long>, std::size_t> at_end;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    for (const json& strip : loads[i]["strips"]) {
+      for (const json& end : {strip.front(), strip.back()}) {
+        const Point cell = point_of(end) / (near * size_m);
+        const auto [other, alone] =
+            at_end.try_emplace({loads[i]["kind"], std::llround(cell.x()), std::llround(cell.y())}, i);
+        if (!alone)
+          next[std::max(first_of(i), first_of(other->second))] = std::min(first_of(i), first_of(other->second));
+      }
+    }
+  }
+  std::vector<double> sizes(loads.size(), 0);
+  for (std::size_t i = 0; i < loads.size(); ++i) sizes[first_of(i)] = std::max(sizes[first_of(i)], largest(loads[i]));
+  for (std::size_t i = 0; i < loads.size(); ++i) sizes[i] = sizes[first_of(i)];
+  return sizes;
+}
+
+constexpr std::size_t most_named = 4;
+
+/// Do the joints with uplift have one row of the legend together, and no labels? Where they are many, each of a line of
+/// joints would have its own.
+bool sums_uplift(const json& loads) {
+  return std::count_if(loads.begin(), loads.end(), [](const json& l) { return l["kind"] == "uplift"; }) >
+         static_cast<std::ptrdiff_t>(most_named);
+}
+
+json sum_of_uplift(const json& loads) {
+  Point force = Point::Zero();
+  int joints = 0;
+  for (const json& load : loads) {
+    if (load["kind"] != "uplift") continue;
+    force += point_of(load["force"]);
+    ++joints;
+  }
+  return {{"label", fmt::format("uplift in {} joints {}", joints, force_text(force.norm()))},
+          {"colour", colour_of_kind.at("uplift")}};
+}
+
 }  // namespace
 
 void add_diagrams(json& loads, double size_m) {
   constexpr double longest = 0.2;  // of the structure, as all that follow
   constexpr double shortest = 0.05;
   constexpr double arrow = 0.1;
-  double strongest = 0;
-  for (const json& load : loads) strongest = std::max(strongest, largest(load));
-  for (json& load : loads) {
+  const std::vector<double> in_line = largest_in_line(loads, size_m);
+  const double strongest = in_line.empty() ? 0 : *std::max_element(in_line.begin(), in_line.end());
+  const bool summed = sums_uplift(loads);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    json& load = loads[i];
     const Point force = point_of(load["force"]);
     const Point at = point_of(load["at"]);
     load["colour"] = colour_of_kind.at(load["kind"]);
     load["label"] = load["name"].get<std::string>() + " " + force_text(force.norm());
+    load["labelled"] = !summed || load["kind"] != "uplift";
     load["diagrams"] = json::array();
     const Point along = force.isZero(0) ? Point(1, 0) : Point(force.normalized());
     if (load["strips"].empty()) {
       load["arrow"] = {pair(at - arrow * size_m * along), pair(at)};
       continue;
     }
-    const double reach_m = size_m * std::max(shortest, longest * largest(load) / strongest);
-    for (const json& strip : load["strips"]) {
-      load["diagrams"].push_back(diagram(strip, (pulls(load) ? -1 : 1) * reach_m / largest(load)));
-    }
+    const double by = size_m * std::max(shortest / in_line[i], longest / strongest);
+    const double reach_m = by * largest(load);
+    for (const json& strip : load["strips"]) load["diagrams"].push_back(diagram(strip, pulls(load) ? -by : by));
     const Point outer = at + (pulls(load) ? 1 : -1) * reach_m * along;
     load["arrow"] = pulls(load) ? json{pair(at), pair(outer)} : json{pair(outer), pair(at)};
   }
@@ -75,6 +132,7 @@ json load_legend(const json& loads) {
   json rows = json::array();
   std::map<std::string, std::size_t> row_of;
   for (const json& load : loads) {
+    if (!load["labelled"].get<bool>()) continue;
     const std::string name = load["name"];
     const auto [known, added] = row_of.try_emplace(name, rows.size());
     if (!added) {
@@ -83,6 +141,7 @@ json load_legend(const json& loads) {
     }
     rows.push_back({{"label", load["label"]}, {"colour", load["colour"]}});
   }
+  if (sums_uplift(loads)) rows.push_back(sum_of_uplift(loads));
   return rows;
 }
 

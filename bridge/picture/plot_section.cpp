@@ -183,7 +183,8 @@ void write_labels(const json& data, const json& state, Drawing& drawing) {
                          [&](const json& l) { return l["kind"] == kind; });
   };
   for (const json& load : state["acting"]) {
-    if (load["in_view"].get<bool>() && static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
+    if (load["labelled"].get<bool>() && load["in_view"].get<bool>() &&
+        static_cast<std::size_t>(of_kind(load["kind"])) <= most) {
       drawing.label(point_of(load["arrow"][0]), load["label"], load["colour"]);
     }
   }

@@ -36,6 +36,20 @@ std::string load_factor_text(const json& found) {
                      list("loads"), list("constant"));
 }
 
+/// The lower factor on the water decides. Of what fails a higher one would read as if it stood.
+std::string water_factor_text(const json& found, bool fails) {
+  const std::string bears = found["factor"].is_null()
+                                ? "it does not stand even without the water's pressure"
+                                : scaled(found["factor"], "it bears {:.5g} times what the water presses");
+  if (!found.contains("with_anchors_at_yield")) {
+    return bears + (found["factor"].is_null() ? " (limit analysis)" : ", by limit analysis");
+  }
+  const json& at_yield = found["with_anchors_at_yield"];
+  return bears + " with anchors at their prestress" +
+         (at_yield.is_null() || fails ? "" : scaled(at_yield, ", {:.5g} times with anchors at their yield force")) +
+         ", by limit analysis";
+}
+
 /// A name at the start of a row of figures; one that is longer than its column has a line of its own above them.
 std::string beside(const std::string& name, std::size_t column) {
   return name.size() <= column ? name : name + "\n" + std::string(column, ' ');
@@ -63,9 +77,7 @@ std::vector<std::string> lines_of(const json& c, const json& first) {
     return c["outcome"] != "fails" || !factor.is_number() || factor < 1;
   };
   if (is_told("water_factor")) {
-    const json& factor = c["water_factor"]["factor"];
-    add_line("", factor.is_null() ? "it does not stand even without the water's pressure (limit analysis)"
-                                  : scaled(factor, "it bears {:.5g} times what the water presses, by limit analysis"));
+    add_line("", water_factor_text(c["water_factor"], c["outcome"] == "fails"));
   }
   if (is_told("load_factor")) add_line("", load_factor_text(c["load_factor"]));
   if (c.contains("with_cracked_joint")) {

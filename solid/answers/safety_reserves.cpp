@@ -48,30 +48,78 @@ scene::Scene without_bonds(scene::Scene scene) {
   return scene;
 }
 
+/// What anchors bear before blocks move.
+scene::Scene with_anchors_at_prestress(scene::Scene scene) {
+  for (scene::Bolt& bolt : scene.bolts) bolt.yield_n_per_m = bolt.prestress_n_per_m;
+  return scene;
+}
+
+/// A factor on the water, or null where nothing of it is borne; none where any of it is.
+using WaterFactor = std::optional<nlohmann::json>;
+
+WaterFactor water_factor(const Attempt<limit::LargestFactor>& found) {
+  if (!found.value || found.value->bearing == Bearing::bears_any) return std::nullopt;
+  return found.value->bearing == Bearing::bears_none ? nlohmann::json() : nlohmann::json(found.value->factor);
+}
+
+double or_zero(const nlohmann::json& factor) {
+  return factor.is_number() ? factor.get<double>() : 0;
+}
+
+constexpr double scarce = 1.1;  ///< factors below it are warned of
+
+std::string near_its_end(double factor, const char* with, const limit::LimitStrength& strength) {
+  const bool strong = strength.bearing == Bearing::bears_any ||
+                      (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce);
+  return fmt::format(
+      "near its end: {:.5g} times what the water presses, its uplift included, brings it down{}, by limit analysis; "
+      "{}look at the resultants and at `level`",
+      factor, with, strong ? "a factor on strength does not see how near a structure is to turning over: " : "");
+}
+
+std::string stands_by_stretch(const nlohmann::json& factor) {
+  return fmt::format(
+      "with anchors at their prestress it bears {}, by limit analysis: it stands by what anchors take up as blocks "
+      "move; state as failure_displacement_m what the structure may move",
+      factor.is_null() ? "nothing of what the water presses"
+                       : fmt::format("only {:.5g} times what the water presses", factor.get<double>()));
+}
+
 }  // namespace
 
 void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, const limit::Wrenches& stated,
                       const limit::LimitStrength& strength, nlohmann::json& answer) {
   if (!now.water) return;
+  constexpr double matters = 0.99;
   const limit::Wrenches dry = limit::combined(statics::weights_of(now.scene), 1, stated);
-  const auto found = attempt(
-      [&] { return structure.largest_factor(dry, statics::water_forces(now.scene, now.water->at(now.level_m))); });
-  if (!found.value || found.value->bearing == Bearing::bears_any) return;
-  if (found.value->bearing == Bearing::bears_none) {
-    answer["water_factor"] = {{"factor", nullptr}};  // what acts beside the water is too much already
-    return;
+  const limit::Wrenches water = statics::water_forces(now.scene, now.water->at(now.level_m));
+  const auto found = attempt([&] { return structure.largest_factor(dry, water); });
+  const WaterFactor at_yield = water_factor(found);
+  WaterFactor at_prestress;
+  if (!now.scene.bolts.empty()) {
+    const scene::Scene unmoved = with_anchors_at_prestress(now.scene);
+    at_prestress = water_factor(attempt([&] { return limit::LimitAnalysis(unmoved).largest_factor(dry, water); }));
   }
-  const double factor = found.value->factor;
-  answer["water_factor"] = {{"factor", factor}, {"gap", found.value->gap}};
-  constexpr double scarce = 1.1;
-  const bool strong = strength.bearing == Bearing::bears_any ||
-                      (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce);
   const bool fails = answer.value("outcome", "") == "fails";  // no more is to be said of how near its end is
-  if (fails || factor < 1 || factor >= scarce) return;
-  answer["warnings"].push_back(
-      fmt::format("near its end: {:.5g} times what the water presses, its uplift included, brings it down, by limit "
-                  "analysis; {}look at the resultants and at `level`",
-                  factor, strong ? "a factor on strength does not see how near a structure is to turning over: " : ""));
+  const auto is_scarce = [&](const nlohmann::json& factor) {
+    return !fails && factor.is_number() && factor >= 1 && factor < scarce;
+  };
+  const bool lower =
+      at_prestress && (!at_yield || (!at_yield->is_null() && or_zero(*at_prestress) < matters * or_zero(*at_yield)));
+  if (at_yield) {
+    answer["water_factor"] = {{"factor", *at_yield}};
+    if (at_yield->is_number()) answer["water_factor"]["gap"] = found.value->gap;
+  }
+  if (lower) {
+    answer["water_factor"] = {{"factor", *at_prestress}, {"with_anchors_at_yield", at_yield.value_or(nullptr)}};
+    if (is_scarce(*at_prestress)) {
+      answer["warnings"].push_back(near_its_end(
+          or_zero(*at_prestress), " with anchors at their prestress, which bear more only as blocks move", strength));
+      return;
+    }
+    if (!fails && or_zero(*at_prestress) < 1) answer["warnings"].push_back(stands_by_stretch(*at_prestress));
+  }
+  if (at_yield && is_scarce(*at_yield)) answer["warnings"].push_back(near_its_end(or_zero(*at_yield), "", strength));
 }
 
 void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohmann::json& answer) {

@@ -13,8 +13,9 @@
 
 namespace blockweir::solid {
 
-/// Adds "water_factor": the factor by which the water pressure, uplift included, may grow, by limit analysis. Warns if
-/// it is below 1.1 while the strength has more reserve.
+/// Adds "water_factor" {"factor", "gap"}: the factor by which the water pressure, uplift included, may grow, by limit
+/// analysis; null: nothing of it is borne. Where anchors at their prestress lower it by more than 1 %, "factor" is the
+/// lower, and "with_anchors_at_yield" the other (null: any). Warns of what stands with a factor below 1.1.
 void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, const limit::Wrenches& stated,
                       const limit::LimitStrength& strength, nlohmann::json& answer);
 

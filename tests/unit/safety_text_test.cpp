@@ -137,6 +137,17 @@ TEST(SafetyText, OfALoadCaseThatFailsNoFactorAboveOneOnItsLoadsIsSaid) {
   EXPECT_THAT(blockweir::study::safety_text(json::array({normal})), testing::Not(HasSubstr("it bears")));
 }
 
+TEST(SafetyText, TheFactorOnTheWaterSaysWithWhichForceOfAnchors) {
+  json normal = load_case("normal");
+  normal["water_factor"] = {{"factor", 1.0211}, {"with_anchors_at_yield", 1.3908}};
+  EXPECT_THAT(blockweir::study::safety_text(json::array({normal})),
+              HasSubstr("it bears 1.0211 times what the water presses with anchors at their prestress, 1.3908 times "
+                        "with anchors at their yield force, by limit analysis"));
+  normal["water_factor"]["with_anchors_at_yield"] = nullptr;  // they bear any force
+  EXPECT_THAT(blockweir::study::safety_text(json::array({normal})),
+              HasSubstr("with anchors at their prestress, by limit analysis"));
+}
+
 /// A table that a stranger reads has its symbols explained, and moments are kNm of a metre.
 TEST(SafetyText, ALegendSaysOnceWhatTheColumnsAreAndALineWhichJointHasNoRow) {
   json first = load_case("first");

@@ -152,6 +152,34 @@ stiffness_n_per_m2 = 2e7
   EXPECT_THAT(warnings(safety_of(outline, joint, 8, weak)), Not(HasSubstr("stretch")));
 }
 
+/// The wall turns about its toe: W b/2 + F (b - x) = f rho g h^3/6, with the anchor's force F at x.
+TEST(SafetyWarnings, TheFactorOnTheWaterIsToldWithAnchorsAtTheirPrestressToo) {
+  const std::string outline = "[0, 0], [3.2, 0], [3.2, 10], [0, 10]";
+  const double level_m = 9.05;
+  const auto answer_with = [&](const std::string& force) {
+    return safety_of(outline, "friction_angle_deg = 60", level_m,
+                     "[[bolt]]\nname = \"a\"\nfrom_block = \"wall\"\nfrom_m = [1.6, 9.5]\nto_m = [1.6, -7.5]\n"
+                     "youngs_modulus_pa = 195e9\narea_m2_per_m = 2e-4\n" +
+                         force);
+  };
+  const auto turns_over = [&](double anchor_n_per_m) {
+    return (2400 * 9.81 * 32 + anchor_n_per_m) * 1.6 / (1000 * 9.81 * std::pow(level_m, 3) / 6);
+  };
+  const json little = answer_with("prestress_n_per_m = 20e3\nyield_n_per_m = 300e3\n");
+  EXPECT_NEAR(little["water_factor"]["factor"].get<double>(), turns_over(20e3), 1e-7);
+  EXPECT_NEAR(little["water_factor"]["with_anchors_at_yield"].get<double>(), turns_over(300e3), 1e-7);
+  EXPECT_THAT(warnings(little), HasSubstr("brings it down with anchors at their prestress"));
+  const json any_force = answer_with("prestress_n_per_m = 20e3\n");
+  EXPECT_NEAR(any_force["water_factor"]["factor"].get<double>(), turns_over(20e3), 1e-7);
+  const json passive = answer_with("yield_n_per_m = 300e3\n");
+  EXPECT_NEAR(passive["water_factor"]["factor"].get<double>(), turns_over(0), 1e-7);
+  EXPECT_THAT(warnings(passive), HasSubstr("by what anchors take up as blocks move"));
+  const json full = answer_with("prestress_n_per_m = 300e3\nyield_n_per_m = 300e3\n");
+  EXPECT_NEAR(full["water_factor"]["factor"].get<double>(), turns_over(300e3), 1e-7);
+  EXPECT_FALSE(full["water_factor"].contains("with_anchors_at_yield"));
+  EXPECT_THAT(warnings(full), Not(HasSubstr("near its end")));
+}
+
 TEST(SafetyWarnings, WaterOnTheCrestIsSaidToBeLeftOut) {
   const std::string joint = "friction_angle_deg = 60";
   EXPECT_THAT(warnings(safety_of("[0, 0], [6, 0], [6, 4], [0, 4]", joint, 4.5)),

@@ -52,6 +52,12 @@ function middleThird(joints) {
   return [paragraph(`The resultant lies outside the middle third of ${outside.length} of ${level.length} level joint${level.length > 1 ? 's' : ''}: ${outside.map(where).join(', ')}.`)];
 }
 
+/// The factor on the water that decides, and the one of anchors that have stretched.
+function onWater({water_factor: found}) {
+  if (!found) return '-';
+  return number(found.factor) + (is(found.with_anchors_at_yield) ? ` (anchors at yield: ${number(found.with_anchors_at_yield)})` : '');
+}
+
 function writeCases() {
   const to = chapter('cases');
   if (report.safety.trouble) return to.append(paragraph('No factor was found: ' + report.safety.trouble));
@@ -60,8 +66,8 @@ function writeCases() {
   const doubt = c => (cause(c) ? ', see below' : c.satisfied && warningsOf(c).length > 0 ? ', see chapter 1' : '');
   const answer = c => (c.satisfied === null ? '-' : element('span', {class: c.satisfied && !doubt(c) ? 'good' : 'bad'}, (c.satisfied ? 'yes' : 'NO') + doubt(c)));
   to.append(table(['load case', 'class', 'level m', 'tailwater m', 'outcome', 'factor', 'by limit analysis', 'on the water', 'required', 'satisfied', 'source'],
-    answeredCases().map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), c.water_factor ? number(c.water_factor.factor) : '-', number(c.required, 4), answer(c), c.source || '-'])),
-  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis. On the water: all that it presses may grow by so much, its uplift included, by limit analysis.', 'quiet'));
+    answeredCases().map(c => [c.name, c.class || '-', number(c.level_m), number(c.tailwater_m), c.outcome, number(c.factor), number(c.limit_analysis_factor), onWater(c), number(c.required, 4), answer(c), c.source || '-'])),
+  paragraph('The factor divides cohesion and tan(phi) of all joints until the structure just stands. It is found by the statics of the blocks and, as an upper bound, by limit analysis. On the water: all that it presses may grow by so much, its uplift included, by limit analysis, with anchors at their prestress where that is less.', 'quiet'));
   const tellEach = (textsOf, words, kind) => ofCases(textsOf).forEach(told => to.append(paragraph(words(...told), kind)));
   const upper = text => text.charAt(0).toUpperCase() + text.slice(1);
   tellEach(c => (cause(c) ? [cause(c)] : []), (who, text) => `Not enough, ${who}: ${text}.`, 'bad');

@@ -93,7 +93,7 @@ function drawLoads(state, sheet, whole) {
     if (!load.in_view) continue;  // the legend has it
     sheet.arrow(load.arrow, load.colour);
     const alike = acting.filter(other => other.kind === load.kind).length;
-    const shown = (whole && few) || state.legend.every(row => row.label !== load.label);
+    const shown = load.labelled && ((whole && few) || state.legend.every(row => row.label !== load.label));
     if (shown && alike <= 12) sheet.label(load.arrow[0], load.label, load.colour);  // of a mesh of joints the legend must do
   }
 }
