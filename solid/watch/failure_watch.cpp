@@ -134,9 +134,7 @@ void FailureWatch::look(double time_s, const Levels& levels) {
     if (passed_s > 0) velocity = ((displacement - block.seen).head<2>() - base_moved) / passed_s;
     block.stood = !begun_ ? stood_at_start : !stands_[b] ? 0 : std::min(block.stood + 1, a_spell);
     if (!begun_ || slow_[b] || block.stood == a_spell) {
-      block.time_s = time_s;
-      block.levels = block.last = levels;
-      block.next_s = -1;
+      block.sets_out_later(time_s, levels);
       block.displacement = displacement;
       block.acceleration.setZero();
       if (passed_s > 0) block.acceleration = (velocity - block.velocity) / passed_s;
@@ -144,12 +142,10 @@ void FailureWatch::look(double time_s, const Levels& levels) {
       block.crept = 0;
     } else if (creeps(b)) {
       block.crept = block.strains;
-      block.time_s = time_s;
-      block.levels = block.last = levels;
-      block.next_s = -1;
+      block.sets_out_later(time_s, levels);
     } else {
       if (block.next_s < 0) block.next = levels, block.next_s = time_s;
-      if (stands_[b]) block.last = levels;
+      block.moves_on(speed(b), stands_[b], levels);
     }
     block.seen = displacement;
     block.velocity = velocity;

@@ -108,22 +108,37 @@ class FailureWatch {
   struct Watched {
     double time_s = 0;  ///< when the block was last at rest
     Levels levels;
-    Levels next;         ///< at the following evaluation
-    double next_s = -1;  ///< time of next; negative before
-    Levels last;         ///< when its contacts last allowed no rigid motion
-    int stood = 0;       ///< consecutive evaluations at rest
-    double strains = 0;  ///< twice its speed when it last stood, if it strained then [m/s]
-    double crept = 0;    ///< the same if it moved slower than that since, and counted as standing
+    Levels next;                 ///< at the following evaluation
+    double next_s = -1;          ///< time of next; negative before
+    Levels last;                 ///< when its contacts last allowed no rigid motion, and it then slowed down
+    Levels held;                 ///< when they last allowed none
+    double held_at_m_per_s = 0;  ///< its speed then; 0 before
+    int stood = 0;               ///< consecutive evaluations at rest
+    double strains = 0;          ///< twice its speed when it last stood, if it strained then [m/s]
+    double crept = 0;            ///< the same if it moved slower than that since, and counted as standing
     Vector6 displacement = Vector6::Zero();
     Point acceleration = Point::Zero();  ///< of its centroid at that time
     Vector6 seen = Vector6::Zero();      ///< displacement at the last evaluation
     Point velocity = Point::Zero();      ///< mean of the centroid's velocity between the last two evaluations
     bool failed = false;                 ///< or loose
 
+    void sets_out_later(double at_s, const Levels& levels_then) {
+      time_s = at_s;
+      levels = last = levels_then;
+      next_s = -1;
+      held_at_m_per_s = 0;
+    }
+
+    /// Contacts that seem to hold, for a moment, what only grows faster do not hold it.
+    void moves_on(double at_m_per_s, bool is_held, const Levels& levels_now) {
+      if (at_m_per_s < held_at_m_per_s) last = held;
+      if (is_held) held = levels_now, held_at_m_per_s = at_m_per_s;
+    }
+
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(time_s, levels, next, next_s, last, stood, strains, crept, displacement, acceleration, seen, velocity,
-              failed);
+      archive(time_s, levels, next, next_s, last, held, held_at_m_per_s, stood, strains, crept, displacement,
+              acceleration, seen, velocity, failed);
     }
   };
   void judge();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: nlohmann_json::nlohmann_json
-// Open water that finds a way past the structure: a gate that is lifted off its sill, on one process and on two.
+// Open water that finds a way past the structure: a gate that is lifted off its sill, on one process and on two; a weir
+// that is pushed away.
 #include "tests/openfoam.hpp"
 
 namespace blockweir::test::openfoam_breach_test {
@@ -66,6 +67,41 @@ TEST_F(Gate, ThatStaysOnItsSillDoesNot) {
 
 TEST_F(Gate, ThatIsOpenFromTheStartBreachesNothing) {
   EXPECT_FALSE(lift(0.5, 1).contains("breach"));
+}
+
+class Weir : public OpenFoam {
+ protected:
+  /// A block that 1.9 m of water pushes away from the start; the warnings of its run.
+  [[nodiscard]] std::string warnings(const std::string& more) const {
+    std::ofstream(folder / "scene.toml") << R"(
+analysis = { duration_s = 0.5, step_s = 0.01, rigid = "all" }
+fluid = { model = "openfoam", cells_in_depth = 16 }
+joint = { friction_angle_deg = 10 }
+water = { upstream_level_m = 1.9 }
+material.c = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+[[block]]
+name = "bed"
+material = "c"
+fixed = true
+vertices_m = [[-8, -0.5], [8, -0.5], [8, 0], [-8, 0]]
+[[block]]
+name = "weir"
+material = "c"
+vertices_m = [[0, 0], [0.8, 0], [0.8, 2], [0, 2]]
+)";
+    fs::remove_all(folder / "o");
+    EXPECT_EQ(run("scene.toml", "o", more), 0) << text("out");
+    const auto summary = nlohmann::json::parse(text("o/summary.json"));
+    EXPECT_EQ(summary["outcome"], "fails");
+    return summary["warnings"].dump();
+  }
+};
+
+TEST_F(Weir, ThatFailsInWaterWhoseLevelIsSetIsToldWhatLetsThePoolRunOut) {
+  const auto told = testing::HasSubstr("the water kept its level while blocks that failed moved up to ");
+  EXPECT_THAT(warnings(""), told);
+  EXPECT_THAT(warnings(set("fluid.level_control=free")), testing::Not(told));
+  EXPECT_THAT(warnings(set("analysis.stop_at_failure=true")), testing::Not(told)) << "it has hardly moved";
 }
 
 }  // namespace

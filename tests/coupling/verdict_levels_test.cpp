@@ -86,6 +86,51 @@ friction_angle_deg = 32
   }
 }
 
+/// The dam of the guide's section 9. While it slides, contacts that press with 1e-11 N hold it for a step, now at one
+/// level, now at another. `blockweir level` finds 10.8489 m.
+TEST_F(Verdicts, TheDoubtOfASlideIsNotOfWhatHoldsItForAMomentWhileItGoesOn) {
+  const std::string dam = R"([analysis]
+stop_at_failure = true
+[material.masonry]
+youngs_modulus_pa = 10e9
+poissons_ratio = 0.2
+density_kg_per_m3 = 2200
+[joint]
+friction_angle_deg = 45
+[[block]]
+name = "rock"
+material = "masonry"
+fixed = true
+vertices_m = [[-20, -6], [25, -6], [25, 0], [-20, 0]]
+[section]
+material = "masonry"
+outline_m = [[0, 0], [9, 0], [2, 12], [0, 12]]
+[[joint_set]]
+name = "courses"
+dip_deg = 5
+spacing_m = 2
+offset_m = 1
+friction_angle_deg = 25
+[[joint_set]]
+name = "cross joints"
+dip_deg = 90
+spacing_m = 3
+offset_m = 1.5
+friction_angle_deg = 30
+[water]
+upstream_level_m = { from = 6, rate_per_s = 0.3 }
+)";
+  for (const int duration_s : {17, 18, 20}) {
+    const auto summary = run(dam, fmt::format("--set analysis.duration_s={}", duration_s));
+    ASSERT_EQ(summary["outcome"], "fails") << text("out");
+    const auto& failure = summary["failure"];
+    const auto uncertain = failure["level_uncertainty_m"].get<double>();
+    EXPECT_NEAR(failure["level_m"].get<double>(), 10.8489, uncertain);
+    EXPECT_NEAR(uncertain, 0.008, 5e-4) << "the guide says so";
+    EXPECT_FALSE(failure.contains("doubt")) << failure;
+  }
+}
+
 TEST_F(Verdicts, OfAConstantLevelNoSpeedOfFillingIsSaid) {
   Monolith dam{.height_m = 10, .youngs_modulus_pa = 30e6};
   dam.level = fmt::format("{}", 0.9 * dam.sliding_level());

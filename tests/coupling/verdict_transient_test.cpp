@@ -117,5 +117,36 @@ vertices_m = [[0, 0], [1, 0], [1, 1], [0, 1]]
                                                HasSubstr("stop_at_failure = true, or a shorter duration_s")));
 }
 
+/// Thrown on to friction of 30 degrees it slides v2/(2 g tan(30)) and stops. A run that ends before says no such thing.
+TEST_F(Verdicts, OfWhatSlidIntoANewEquilibriumIsSaidThatItRestsAndHowFarItCame) {
+  const double speed_m_per_s = 0.5;
+  const std::string scene = fmt::format(R"(
+analysis = {{ duration_s = 0.5, step_s = 0.001, rigid = "all", start = "unstressed" }}
+joint = {{ friction_angle_deg = 30 }}
+material.stone = {{ youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }}
+[[block]]
+name = "ground"
+material = "stone"
+fixed = true
+vertices_m = [[-2, -0.5], [4, -0.5], [4, 0], [-2, 0]]
+[[block]]
+name = "stone"
+material = "stone"
+vertices_m = [[0, 0], [1, 0], [1, 0.2], [0, 0.2]]
+initial_velocity_m_per_s = [{}, 0]
+)",
+                                        speed_m_per_s);
+  const double slides_m =
+      speed_m_per_s * speed_m_per_s / (2 * 9.81 * std::tan(std::numbers::pi / 6));  // 2.2 cm: a failure from 1 cm
+  const json summary = run(scene);
+  ASSERT_EQ(summary["outcome"], "fails");
+  const std::string rests = "the blocks that failed came to rest again before the run ended, at most ";
+  const std::string doubt = summary["failure"].value("doubt", "");
+  ASSERT_THAT(doubt, HasSubstr(rests));
+  EXPECT_NEAR(std::stod(doubt.substr(doubt.find(rests) + rests.size())) / slides_m, 1, 0.02);
+  EXPECT_THAT(text("out"), HasSubstr(rests));
+  EXPECT_EQ(run(scene, "--set analysis.stop_at_failure=true")["failure"].count("doubt"), 0U);
+}
+
 }  // namespace
 }  // namespace blockweir::test::verdict_transient_test
