@@ -14,6 +14,7 @@
 #include "bridge/engine/batch_files.hpp"
 #include "bridge/engine/slurm_queue.hpp"
 #include "bridge/engine/stop_signals.hpp"
+#include "bridge/results/counted.hpp"
 #include "bridge/results/file_name.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
@@ -110,7 +111,7 @@ class QueuedWork {
     const std::size_t tasks = (items.size() + batch - 1) / batch;
     const std::string job = submit(script, results::file_name(work_.name), tasks, logs_, options_.sbatch);
     results::replace_file(job_file(), job + "\n");
-    fmt::print(stderr, "{}: job {} in the queue: {} tasks of {}{}\n", work_.name, job, tasks, batch,
+    fmt::print(stderr, "{}: job {} in the queue: {} of {}{}\n", work_.name, job, results::counted(tasks, "task"), batch,
                first ? ", to see how long one takes" : "");
     return job;
   }

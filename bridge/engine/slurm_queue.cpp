@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/engine/slurm_queue.hpp"
+#include "bridge/results/counted.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -102,8 +103,8 @@ std::string submit(const std::filesystem::path& script, const std::string& name,
   if (said.status == 0 && !number.empty() && number.find_first_not_of("0123456789") == std::string::npos) return number;
   const bool unreachable = said.text.find("contact") != std::string::npos;
   throw std::runtime_error(fmt::format(
-      "--engine slurm: the queue refused {} tasks: \"{}\"; {}; what is done is kept, and the same command continues",
-      tasks, said.text,
+      "--engine slurm: the queue refused {}: \"{}\"; {}; what is done is kept, and the same command continues",
+      results::counted(tasks, "task"), said.text,
       unreachable
           ? "its controller does not answer: see whether \"sinfo\" does, and ask those who run the cluster"
           : "state other options of sbatch with --sbatch (\"sinfo\" lists partitions and their limits), or take "

@@ -28,9 +28,9 @@ std::string table(const std::string& title, const json& modes) {
 
 std::string modes_report(const json& answer) {
   const json& contacts = answer["contacts"];
-  std::string text =
-      fmt::format("at rest {} contacts stick, {} slip, {} are open; {} unknowns\n", contacts["stick"].get<long>(),
-                  contacts["slip"].get<long>(), contacts["open"].get<long>(), answer["unknowns"].get<long>());
+  std::string text = fmt::format("contacts at rest: {} that stick, {} that slip, {} open; {} unknowns\n",
+                                 contacts["stick"].get<long>(), contacts["slip"].get<long>(),
+                                 contacts["open"].get<long>(), answer["unknowns"].get<long>());
   text += table("DRY     without the water's inertia", answer["dry"]);
   if (answer.contains("wet")) {
     text +=

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/study/check_work.hpp"
 #include "bridge/study/motion_error.hpp"
 #include "bridge/validate/cases_folder.hpp"
@@ -79,7 +80,7 @@ std::vector<BenchErrors> errors_of(const std::vector<BenchCase>& cases, engine::
     const std::size_t c = case_of_item[i];
     answers[c].push_back(answer);
     if (i + 1 < case_of_item.size() && case_of_item[i + 1] == c) return;
-    fmt::print(stderr, "{}: {} runs\n", case_name(cases[c].scene), answers[c].size());
+    fmt::print(stderr, "{}: {}\n", case_name(cases[c].scene), results::counted(answers[c].size(), "run"));
   });
   std::vector<BenchErrors> all;
   for (std::size_t c = 0; c < cases.size(); ++c) all.push_back(errors_of(cases[c], answers[c]));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bridge/process/run.hpp"
+#include "bridge/results/counted.hpp"
 #include "bridge/results/figure.hpp"
 #include "bridge/results/folder.hpp"
 #include "bridge/results/result_file.hpp"
@@ -145,7 +146,7 @@ int validate(const ValidateOptions& options) {
     return 1;
   }
   if (!options.json.empty()) results::replace_file(options.json, table.rows().dump(2) + "\n");
-  fmt::print("{} figures, {}\n", table.rows().size(),
+  fmt::print("{}, {}\n", results::counted(table.rows().size(), "figure"),
              table.all_passed() ? "all within tolerance" : "NOT all within tolerance");
   return table.all_passed() ? 0 : 1;
 }

@@ -61,11 +61,14 @@ json margin_of(solid::Situation& now, const limit::LimitAnalysis& structure, con
 json margin_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const limit::LimitAnalysis structure(scene);
   if (structure.faces().size() > most_faces) {
-    return {{"factor", nullptr},
-            {"level_m", nullptr},
-            {"why_no_factor",
-             fmt::format("{} faces between blocks, at a run's end at most {}; \"blockweir safety\" takes the time",
-                         structure.faces().size(), most_faces)}};
+    return {
+        {"factor", nullptr},
+        {"level_m", nullptr},
+        {"why_no_factor",
+         fmt::format(
+             "a run looks for it only up to {} faces between blocks, and here are {}; \"blockweir safety\" finds it, "
+             "which may take long",
+             most_faces, structure.faces().size())}};
   }
   solid::Situation now(scene, make_fluid);
   const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/scene/at.hpp"
 
 namespace blockweir::solid::output {
@@ -36,7 +37,7 @@ std::string named(const scene::Scene& scene, const std::set<std::pair<int, int>>
   const auto& [a, b] = *met.begin();
   return fmt::format("blocks \"{}\" and \"{}\"{} touch now and did not at the start", scene.blocks[at(a)].name,
                      scene.blocks[at(b)].name,
-                     met.size() > 1 ? fmt::format(", and {} more pairs,", met.size() - 1) : "");
+                     met.size() > 1 ? fmt::format(", and {},", results::counted(met.size() - 1, "more pair")) : "");
 }
 
 /// Of blocks that have slid along the plane of a joint that the scene states for other blocks.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 
@@ -102,8 +103,8 @@ std::string start_advice(const StepWorkspace& step, bool moves_on, double overla
 /// The unfinished part of the last attempt to start: which blocks still move, and which do not fit each other.
 void refuse_start(const StepWorkspace& step, int steps, int most_steps, Outcome last) {
   const bool too_far = last == Outcome::too_far;
-  std::string text =
-      fmt::format("no equilibrium under the first loads was found with all joints held ({} steps)", steps);
+  std::string text = fmt::format("no equilibrium under the first loads was found with all joints held ({})",
+                                 results::counted(at(steps), "step"));
   const auto moved = [&](std::size_t b) {
     double most = 0;
     for (const Point& X : step.model.blocks[b].vertices)

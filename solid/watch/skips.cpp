@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/results/saving.hpp"
 
 namespace blockweir::solid {
@@ -25,7 +26,7 @@ void rigid_blocks(const Solid& solid, json& list) {
   if (rigid == 0) return;
   const bool found = solid.scene().analysis.rigid == scene::Rigid::automatic;
   const Profile& profile = solid.profile();
-  list.push_back(fmt::format("strains of {} blocks: {}{}", rigid,
+  list.push_back(fmt::format("strains of {}: {}{}", results::counted(at(rigid), "block"),
                              found ? "contact forces follow from equilibrium alone, and own strain moves points by "
                                      "less than 1 % of failure_displacement_m"
                                    : "the scene calls them rigid",

@@ -132,7 +132,7 @@ TEST_F(Skips, WhatSleepSavesIsReckonedByStepsOfTheRunNotByThoseThatSettle) {
 TEST_F(Skips, EachHasItsLineInTheProfile) {
   ASSERT_EQ(shell(run_of(in_steps) + " --quiet --inproc --out o --set block.top.rigid=true"), 0) << text("out");
   const auto all_there =
-      testing::AllOf(HasSubstr("skipped strains of 1 blocks: the scene calls them rigid, saved about "),
+      testing::AllOf(HasSubstr("skipped strains of 1 block: the scene calls them rigid, saved about "),
                      HasSubstr(" exchanges: no block had moved and the water stood, saved about "),
                      HasSubstr(" solutions of islands that slept, saved about "),
                      HasSubstr(" searches for contacts: nothing had moved, saved about "),

@@ -46,7 +46,7 @@ TEST_F(Slurm, ByDefaultTheFirstRunsShowHowManyMakeTenMinutes) {
   write_scene(30);
   ASSERT_EQ(shell(command("there", "--engine slurm")), 0) << text("out");
   EXPECT_THAT(text("out"),
-              testing::AllOf(HasSubstr("8 tasks of 1, to see how long one takes"), HasSubstr("1 tasks of 22\n")));
+              testing::AllOf(HasSubstr("8 tasks of 1, to see how long one takes"), HasSubstr("1 task of 22\n")));
 }
 
 /// Tasks of seconds, so that they are met even where a look at all processes takes that long; fewer kills than the

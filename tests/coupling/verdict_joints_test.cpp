@@ -25,8 +25,22 @@ TEST_F(Verdicts, BlocksThatMeetOnTheirWayAreSaidToHaveTheLawOfTheirPlane) {
               testing::AllOf(HasSubstr("blocks \\\"rough\\\" and \\\"sled\\\" touch now and did not at the start"),
                              HasSubstr("slid along the plane of joint \\\"slide\\\" and have its residual friction of "
                                        "5 deg; [joint] has 30 deg")));
+  std::string parted = scene;
+  parted.replace(parted.find(box("rough", 1.5, 9, -1, 0, true)), box("rough", 1.5, 9, -1, 0, true).size(),
+                 box("rough", 1.5, 2, -1, 0, true) + box("far", 2, 9, -1, 0, true));
+  EXPECT_THAT(run(parted)["warnings"].dump(), HasSubstr(", and 1 more pair, touch now and did not at the start"));
   const auto brief = run(scene, "--set analysis.duration_s=0.3");
   EXPECT_THAT(brief["warnings"].dump(), testing::Not(HasSubstr("did not at the start")));
+}
+
+/// Limit analysis of many blocks takes longer than a short run.
+TEST_F(Verdicts, AFactorThatWouldTakeLongIsLeftToSafety) {
+  EXPECT_EQ(shell(programs + "/blockweir run " + cases +
+                  "masonry-walls --out o --set analysis.duration_s=0.05 "
+                  "--set expect=[] --set 'analysis.rigid=\"all\"'"),
+            0);
+  EXPECT_THAT(text("out"), HasSubstr("none: a run looks for it only up to 300 faces between blocks, and here are 326; "
+                                     "\"blockweir safety\" finds it, which may take long"));
 }
 
 /// Four lifts of 3 x 2 m, bonded to each other but not to the ground.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // links: bridge_scene_read
 // Uplift laws that leave pressure out where a crack dips are warned of.
+#include <fmt/format.h>
+
 #include "tests/unit/scene_sample.hpp"
 
 namespace blockweir::dipping_uplift_test {
@@ -22,6 +24,25 @@ TEST(DippingUplift, FullUpliftOfACrackThatFallsIsAWarning) {
   EXPECT_THAT(warnings(falling("1.95")), IsEmpty());
   const auto warned = HasSubstr("its lowest point lies 1 m lower, where water at rest presses by as much more");
   EXPECT_THAT(warnings(falling("1")), testing::Contains(warned));
+}
+
+TEST(DippingUplift, OtherCracksThatFallAreCounted) {
+  const auto cuts = [](int count) {
+    std::string scene =
+        "[analysis]\nduration_s = 1\n[material.m]\nyoungs_modulus_pa = 1e9\npoissons_ratio = 0.2\n"
+        "density_kg_per_m3 = 2400\n[water]\nupstream_level_m = 9\n"
+        "[[block]]\nname = \"rock\"\nmaterial = \"m\"\nfixed = true\nvertices_m = [[-9, -1], [9, -1], [9, 0], [-9, "
+        "0]]\n"
+        "[section]\nmaterial = \"m\"\noutline_m = [[0, 0], [4, 0], [4, 9], [0, 9]]\n";
+    for (int i = 0; i < count; ++i) {
+      scene += fmt::format("[[cut]]\nname = \"c{0}\"\nuplift = \"full\"\npoints_m = [[0, {1}], [4, {2}]]\n", i,
+                           3 + 2 * i, 1 + 2 * i);
+    }
+    return warnings(scene);
+  };
+  EXPECT_THAT(cuts(1), testing::Contains(HasSubstr("presses by as much more; expected")));
+  EXPECT_THAT(cuts(2), testing::Contains(HasSubstr("presses by as much more, and 1 more crack; expected")));
+  EXPECT_THAT(cuts(3), testing::Contains(HasSubstr("presses by as much more, and 2 more cracks; expected")));
 }
 
 /// A linear head has rho g times the dip more, whatever the level.

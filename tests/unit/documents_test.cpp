@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -108,6 +109,24 @@ TEST(Documents, AllFiguresThatCanBeExpectedAreListedOnce) {
   std::vector<std::string> of_water;
   for (const auto& quantity : blockweir::scene::water_quantities) of_water.emplace_back(quantity.name);
   EXPECT_THAT(listed("figure of the water | needs"), testing::UnorderedElementsAreArray(of_water));
+}
+
+/// A whole number with commas in it, in the first match.
+int number_in(const std::string& text, const std::string& pattern) {
+  std::smatch found;
+  if (!std::regex_search(text, found, std::regex(pattern))) return -1;
+  return std::stoi(std::regex_replace(found[1].str(), std::regex(","), ""));
+}
+
+TEST(Documents, CellsOfTheMapsOfStabilityAreCountedTheSameEverywhere) {
+  const std::string page = text_of(root / "cases/stress/README.md");
+  const auto from = page.find("| scene | keys |");
+  ASSERT_NE(from, std::string::npos);
+  int cells = 0;
+  std::istringstream rows(page.substr(from, page.find("\n\n", from) - from));
+  for (std::string row; std::getline(rows, row);) cells += std::max(0, number_in(row, "\\| ([0-9]+) \\|$"));
+  EXPECT_EQ(number_in(page, "Of ([0-9,]+) cells"), cells);
+  EXPECT_EQ(number_in(text_of(root / "cases/README.md"), "Maps of stability: ([0-9,]+) runs"), cells);
 }
 
 TEST(Documents, TheGalleryShowsEveryCaseOnce) {

@@ -8,7 +8,7 @@
 namespace blockweir::solid::output::rest_text_test {
 namespace {
 
-std::string text(bool found, int steps, double unbalanced) {
+std::string text(bool found, int steps, double unbalanced, long all_steps = 7) {
   scene::Analysis analysis;
   analysis.residual_tolerance = 1e-9;
   analysis.failure_displacement_m = 5e-3;
@@ -16,11 +16,12 @@ std::string text(bool found, int steps, double unbalanced) {
   rest.found = found;
   rest.steps = steps;
   rest.unbalanced = unbalanced;
-  return rest_text(rest, 7, analysis, 0.0123);
+  return rest_text(rest, all_steps, analysis, 0.0123);
 }
 
 TEST(RestText, SaysWhyThereIsNoEquilibrium) {
   EXPECT_EQ(text(true, 3, 1e-12), "at rest after 7 steps, 1e-12 of the weight unbalanced");
+  EXPECT_EQ(text(true, 1, 1e-12, 1), "at rest after 1 step, 1e-12 of the weight unbalanced");
   EXPECT_EQ(text(false, 3, 0.25),
             "no equilibrium: 0.25 of the weight unbalanced after 7 steps, largest displacement 0.0123 m");
   EXPECT_EQ(text(false, 3, 0),

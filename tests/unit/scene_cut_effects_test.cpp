@@ -81,7 +81,7 @@ TEST(CutEffects, ACutAlongTheShorterPartOfARegionsOutlineIsAnError) {
 TEST(CutEffects, SomeLinesOfANamePartNothing) {
   const std::string first = "[[cut]]\nname = \"crack\"\ndrawn = true\npoints_m = [[0, 1], [4, 1]]\n";
   expect_warning(section + first + "[[cut]]\nname = \"crack\"\ndrawn = true\npoints_m = [[0, 3], [3, 3]]\n", 26,
-                 {"1 of 2 lines of [[cut]] \"crack\" have no effect"});
+                 {"1 of 2 lines of [[cut]] \"crack\" parts no block of the section, which has no effect"});
 }
 
 TEST(CutEffects, ABondLongerThanTheJointOfItsCutIsAnError) {

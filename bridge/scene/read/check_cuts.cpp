@@ -66,8 +66,9 @@ void report(Reading& reading, const Effect& effect) {
   }
   if (effect.parting < effect.lines && !source.by_chance) {
     problems.warning(effect.first_idle->place,
-                     fmt::format("{} of {} lines of {} have no effect: they part no block of the section",
-                                 effect.lines - effect.parting, effect.lines, source.name),
+                     fmt::format("{} of {} lines of {} {} no block of the section, which has no effect",
+                                 effect.lines - effect.parting, effect.lines, source.name,
+                                 effect.lines - effect.parting == 1 ? "parts" : "part"),
                      "lines that part blocks", remedy);
   }
   if (!effect.law && effect.beside_region && !source.by_chance) {

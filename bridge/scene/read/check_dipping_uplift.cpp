@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "bridge/results/counted.hpp"
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/hydrostatics.hpp"
 #include "bridge/scene/read/reading.hpp"
@@ -49,7 +50,9 @@ struct Found {
     crack = &another;
     dip = its;
   }
-  [[nodiscard]] std::string others() const { return count > 1 ? fmt::format(", and {} more cracks", count - 1) : ""; }
+  [[nodiscard]] std::string others() const {
+    return count > 1 ? ", and " + results::counted(count - 1, "more crack") : "";
+  }
 };
 
 }  // namespace
