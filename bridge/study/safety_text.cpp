@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bridge/geometry/place_text.hpp"
 #include "bridge/study/safety.hpp"
@@ -137,6 +138,22 @@ std::string factors_text(const json& cases) {
          "limit:  the same by limit analysis, an upper bound\n";
 }
 
+/// Joints of one name, as those of a set, with their elevations.
+json with_elevations(json joints) {
+  std::map<std::string, int> count;
+  for (const json& j : joints) ++count[j["name"]];
+  for (json& j : joints) {
+    if (count[j["name"]] < 2) continue;
+    const double end_m = j["downstream_end_m"][1];
+    const double other_m = j.contains("upstream_end_m") ? j["upstream_end_m"][1].get<double>() : end_m;
+    const double step_m = std::pow(10, std::floor(std::log10(1e-3 * j["length_m"].get<double>())));
+    const std::string low = scaled(step_m * std::round(std::min(end_m, other_m) / step_m), "{:.6g}");
+    const std::string high = scaled(step_m * std::round(std::max(end_m, other_m) / step_m), "{:.6g}");
+    j["name"] = fmt::format("{}, {}{} m", j["name"].get<std::string>(), low, high == low ? "" : " to " + high);
+  }
+  return joints;
+}
+
 /// Loads on everything above each joint; the joint carries their sum.
 std::string sums_text(const json& joints, const char* last) {
   constexpr const char* row = "{:<32.32} {:>12} {:>12} {:>14}\n";
@@ -202,11 +219,11 @@ std::string joint_parts_text(const json& answer) {
 
 /// Forces of a metre of thickness.
 std::string joints_text(const json& answer) {
-  const json& joints = answer["joints"];
+  const json joints = with_elevations(answer["joints"]);
   if (answer.contains("why_no_joints")) {
     return fmt::format("\nno forces in joints, {}: {}\n", answer["name"].get<std::string>(),
                        answer["why_no_joints"].get<std::string>()) +
-           sums_text(answer["loads_on_joints"], "sum");
+           sums_text(with_elevations(answer["loads_on_joints"]), "sum");
   }
   if (joints.empty()) return bent_joints_text(answer) + joint_parts_text(answer);
   constexpr const char* forces = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>8}\n";

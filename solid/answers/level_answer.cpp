@@ -9,10 +9,10 @@
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/corner_stands.hpp"
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/crushed_corners.hpp"
+#include "solid/answers/found_levels.hpp"
 #include "solid/capacity/static_level.hpp"
 #include "solid/expect/formula_tables.hpp"
 #include "solid/expect/formulas.hpp"
@@ -24,6 +24,7 @@ namespace {
 
 using nlohmann::json;
 using solid::Attempt;
+using solid::FoundLevels;
 using solid::StaticLevel;
 using solid::StillWater;
 using solid::limit::Filled;
@@ -100,109 +101,6 @@ json formula_json(const scene::Scene& scene) {
   return nullptr;
 }
 
-/// The levels of one scene.
-struct Levels {
-  const scene::Scene& scene;
-  bool any_force = false;  ///< by anchors, in limit analysis
-  double empty_m = 0;
-  Attempt<limit::LimitLevel> limit;
-  Attempt<StaticLevel> blocks;
-  Attempt<StaticLevel> rigid;  ///< of the same blocks without strain, where they strain
-
-  /// Of a level to that of limit analysis, over the rise from the empty reservoir.
-  [[nodiscard]] double off(const StaticLevel& found) const {
-    return (found.level_m - limit.value->level_m) / (limit.value->level_m - empty_m);
-  }
-  [[nodiscard]] bool agrees(const StaticLevel& found) const {
-    constexpr double same = 1e-5;  // the blocks' strain and what their slips add up to before they rest come to less
-    return found.outcome == limit.value->outcome && (found.outcome != Filled::fails || std::abs(off(found)) <= same);
-  }
-  [[nodiscard]] std::optional<double> rigid_level() const {
-    if (!rigid.value || rigid.value->outcome != Filled::fails) return std::nullopt;
-    return rigid.value->level_m;
-  }
-  /// Do blocks that do not strain fail at a level that the blocks are said to bear?
-  [[nodiscard]] bool rigid_fails_lower() const {
-    constexpr double strain = 1e-3;  // effect of strain on a level, relative to the rise
-    return rigid_level() && *rigid_level() < blocks.value->level_m - strain * (blocks.value->level_m - empty_m);
-  }
-  /// Do the blocks and limit analysis agree, and no other analysis of the blocks fails at another level?
-  [[nodiscard]] bool agree() const {
-    return blocks.value && limit.value && blocks.value->stopped.empty() && !blocks.value->slow_rise &&
-           !rigid_fails_lower() && agrees(*blocks.value);
-  }
-  /// Why the blocks' level differs from that of limit analysis and from that of rigid blocks.
-  [[nodiscard]] std::string reason() const {
-    if (agree()) return solid::strains(scene) ? "strain, and the width of the search" : "the width of the search";
-    if (!blocks.value || !limit.value) return "none is known: only one of the two has an answer";
-    if (!blocks.value->stopped.empty()) return "none is known: the blocks' level is known to level_width_m alone";
-    const std::string rigid_too =
-        rigid_fails_lower() ? fmt::format("blocks that do not strain fail at {:.6g} m", rigid.value->level_m) : "";
-    if (blocks.value->slow_rise) return of_friction_history() + (rigid_too.empty() ? "" : "; " + rigid_too);
-    if (!rigid_too.empty()) {
-      return "history of joint forces: the level depends on how the friction in the joints came about; " + rigid_too +
-             ", the others bear more";
-    }
-    if (rigid.value && agrees(*rigid.value)) {
-      return "deformation: blocks that do not strain fail at the level of limit analysis";
-    }
-    return of_an_upper_bound();
-  }
-
- private:
-  [[nodiscard]] std::string of_friction_history() const {
-    const StaticLevel::SlowRise& rise = *blocks.value->slow_rise;
-    return fmt::format(
-        "history of joint forces: the level depends on how the friction in the joints came about; all loads at once "
-        "fail at {:.6g} m, under a level that rises slowly the blocks {} {:.6g} m",
-        blocks.value->level_m, rise.outcome == Filled::fails ? "fail at" : "stand up to", rise.level_m);
-  }
-  static std::string slips() {
-    return "slips that add up to failure_displacement_m: limit analysis asks for equilibrium alone";
-  }
-  [[nodiscard]] std::string of_an_upper_bound() const {
-    if (limit.value->outcome == Filled::does_not_stand_empty) {
-      return "blocks that move before they rest: limit analysis takes the structure as it is drawn, where faces that "
-             "do not touch hold nothing; no uplift acts between them, and the blocks' level is without it; let faces "
-             "touch";
-    }
-    if (const auto stands = scene::corner_stands(scene); !stands.empty()) {
-      return fmt::format(
-          "block \"{}\" stands on one corner: any push turns it over, and the blocks tell a small one from none only "
-          "roughly",
-          scene.blocks[at(stands[0].block)].name);
-    }
-    const bool lower = (blocks.value->outcome == Filled::does_not_stand_empty ||
-                        (blocks.value->outcome == Filled::fails && off(*blocks.value) < 0));
-    // Before the slips: they add up because the anchors have not yet stretched to their yield.
-    if (lower && !any_force && solid::yields_above_prestress(scene)) {
-      return std::string(solid::yields_note) + (blocks.value->slips_add_up ? "; " + slips() : "");
-    }
-    if (lower && blocks.value->slips_add_up) {
-      return slips();
-    }
-    if (lower && any_force) return std::string(solid::anchors_note) + "; the blocks' own bolts stretch";
-    if (lower && solid::has_bonds(scene)) {
-      return "history of joint forces: bonds break one after the other, and limit analysis lets all act at once";
-    }
-    const auto any_joint = [this](auto has) {
-      const auto of = [&](const scene::Joint& joint) { return has(joint.law); };
-      return has(scene.default_joint) || std::any_of(scene.joints.begin(), scene.joints.end(), of);
-    };
-    if (lower && any_joint([](const auto& law) { return law.has_flow(); })) {
-      return "joints with uplift = \"flow\" that open and fill: limit analysis takes joints as they are drawn";
-    }
-    if (lower && any_joint([](const auto& law) { return law.bends(); })) {
-      return "rough joints, whose friction falls with the stress: the blocks take the stress at each end of a joint, "
-             "limit analysis its mean over the joint";
-    }
-    if (lower) {
-      return "friction without dilation: limit analysis takes joints to open as they slip, and is an upper bound";
-    }
-    return "none is known: limit analysis is an upper bound of rigid blocks";
-  }
-};
-
 /// Where the search ended, for a structure that no level of it brings down; null where one does.
 json highest_json(const scene::Scene& scene, double full_m, const json& answer) {
   if (answer["outcome"] == "fails" || answer["outcome"] == "does not stand empty") return nullptr;
@@ -225,7 +123,7 @@ json assumed_json(const scene::Scene& scene) {
 
 /// Of the head on the joint that fails, where there is one: the rise from the empty reservoir depends on how deep the
 /// scene draws the rock.
-json difference_json(const Levels& levels, const json& by_limit) {
+json difference_json(const FoundLevels& levels, const json& by_limit) {
   json answer = {{"reason", levels.reason()}, {"agree", levels.agree()}};
   const auto fails = [](const auto& found) { return found.value && found.value->outcome == Filled::fails; };
   if (fails(levels.blocks) && fails(levels.limit)) {
@@ -247,10 +145,10 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const limit::Wrenches dead =
       limit::combined(statics::weights_of(scene), 1, statics::stated_loads_of(scene, scene.analysis.duration_s));
   const auto water_at = [&](double level_m) { return statics::water_forces(scene, water.at(level_m)); };
-  Levels levels{.scene = scene,
-                .any_force = structure.holds_any_force(),
-                .empty_m = water.range().empty_m,
-                .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); })};
+  FoundLevels levels{.scene = scene,
+                     .any_force = structure.holds_any_force(),
+                     .empty_m = water.range().empty_m,
+                     .limit = solid::attempt([&] { return limit_level(structure, dead, water_at, water.range()); })};
   solid::LevelClues clues;
   if (levels.limit.value) {
     clues.falls_as_drawn = levels.limit.value->outcome == Filled::does_not_stand_empty;

@@ -148,6 +148,19 @@ TEST(SafetyText, TheFactorOnTheWaterSaysWithWhichForceOfAnchors) {
               HasSubstr("with anchors at their prestress, by limit analysis"));
 }
 
+TEST(SafetyText, JointsOfOneNameHaveTheirElevations) {
+  json set = load_case("usual");
+  for (const auto& [low_m, high_m] : {std::pair{26.849, 27.058}, {-1e-6, 1e-6}}) {
+    set["joints"].push_back(joint("lifts", 1e5));
+    set["joints"].back()["upstream_end_m"] = {0, high_m};
+    set["joints"].back()["downstream_end_m"] = {4, low_m};
+  }
+  set["joints"].push_back(joint("base", 1e5));
+  const std::string text = blockweir::study::safety_text(json::array({set}));
+  for (const char* row : {"\nlifts, 26.85 to 27.06 m\n", "\nlifts, 0 m ", "\nbase  "})
+    EXPECT_THAT(text, HasSubstr(row));
+}
+
 /// A table that a stranger reads has its symbols explained, and moments are kNm of a metre.
 TEST(SafetyText, ALegendSaysOnceWhatTheColumnsAreAndALineWhichJointHasNoRow) {
   json first = load_case("first");

@@ -5,6 +5,38 @@ function drawn(metres) {
   return number(Math.round(metres / step) * step + 0, 6);
 }
 
+/// Joints of one name, as those of a set, with their elevations.
+function withElevations(joints) {
+  const elevations = j => [...new Set([j.upstream_end_m, j.downstream_end_m].filter(Boolean).map(p => p[1]).sort((a, b) => a - b).map(drawn))].join(' to ');
+  return joints.map(j => (joints.filter(other => other.name === j.name).length > 1 ? {...j, name: `${j.name}, ${elevations(j)} m`} : j));
+}
+
+/// All factors on strength that this report has: [factor, of what, by which way] each.
+function strengthFactors() {
+  const where = level => (is(level) ? ` at a level of ${number(level)} m` : '');
+  const factors = [];
+  for (const c of answeredCases()) {
+    const add = (factor, way) => factors.push([factor, (c.name === 'scene as written' ? 'the scene as written' : `load case "${c.name}"`) + where(c.level_m), way]);
+    add(c.factor, 'the statics of the blocks');
+    add(c.limit_analysis_factor, 'limit analysis');
+    for (const [key, way] of [['with_crushed_corners', 'limit analysis with corners that are crushed'], ['with_cracked_joint', 'limit analysis with cohesion on what is not in tension alone'],
+      ['with_rigid_blocks', 'the statics of the blocks without strain']]) if (c[key]) add(c[key].factor, way);
+    for (const j of withElevations(c.joints || [])) add(j.sliding_factor, `the forces in joint "${j.name}"`);
+  }
+  const {margin} = report.summary;
+  if (margin) factors.push([margin.sliding_factor, `the run after ${number(margin.time_s)} s${where(margin.level_m)}`, `the forces in joint "${margin.joint}"`]);
+  return factors.filter(([factor]) => is(factor));
+}
+
+/// The lowest decides. Of those that agree the first is named.
+function lowestFactorInWords() {
+  const factors = strengthFactors();
+  if (answeredCases().length === 0 || factors.length === 0) return [];
+  const least = Math.min(...factors.map(([factor]) => factor));
+  const [factor, what, way] = factors.find(([f]) => f <= least * (1 + 1e-3));
+  return [`The lowest factor of safety of this report is ${number(factor, 4)}: of ${what}, by ${way}.`];
+}
+
 /// What acts on all that stands on a joint, and the sum, which the joint bears.
 function sumsTable(joint) {
   const row = (name, s) => [name, kilo(s('x_n_per_m')), kilo(s('y_n_per_m')), kilo(s('moment_n'))];
@@ -17,7 +49,7 @@ function sumsTable(joint) {
 function writeLoads(c, to) {
   to.append(element('h3', {}, `Loads on joints: ${c.name}`), paragraph(`No table of joints nor of anchors: ${c.why_no_joints}.`, 'quiet'));
   if (c.mechanism) to.append(mechanismFigure(report, c.mechanism, c.level_m));
-  for (const joint of c.loads_on_joints) to.append(...sumsTable(joint));
+  for (const joint of withElevations(c.loads_on_joints)) to.append(...sumsTable(joint));
 }
 
 /// Joints of the mechanism that alone let nothing slide.
@@ -91,6 +123,7 @@ function writeCases() {
       writeParts(c, to);
       continue;
     }
+    const joints = withElevations(c.joints);
     const scaled = c.joints_with_strength_times;
     const together = element('div', {class: 'together'});
     to.append(together);
@@ -98,11 +131,11 @@ function writeCases() {
     if (c.set.length > 0) together.append(paragraph('It sets ' + c.set.join(', ') + '.', 'quiet'));
     if (is(scaled)) together.append(paragraph(`It does not stand: forces are those with ${number(scaled, 4)} times the strength; the sliding factors are with the strength as stated.`, 'quiet'));
     together.append(table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'M kNm/m', 'sliding factor', 'residual', 'resultant', 'crack m', 'bonded m', 'heel kPa', 'toe kPa'],
-      c.joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
-    together.append(...middleThird(c.joints));
+      joints.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.moment_n), number(j.sliding_factor, 4), number(j.residual_sliding_factor, 4), fixed(j.resultant_from_downstream, 4), fixed(j.cracked_length_m, 3), fixed(j.bonded_length_m, 3), kilo(j.heel_stress_pa), kilo(j.toe_stress_pa)])));
+    together.append(...middleThird(joints));
     const bent = c.bent_joints || [];
     if (bent.length > 0) to.append(paragraph(`No row has ${bent.map(name => `"${name}"`).join(', ')}: a joint that bends has no single sliding factor nor resultant. The factor of the load case counts it.`, 'quiet'));
     writeParts(c, to);
-    if (c.joints.length <= 4) c.joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
+    if (joints.length <= 4) joints.forEach(joint => to.append(...sumsTable(joint)));  // of a mesh of joints the file has the rest
   }
 }
