@@ -60,10 +60,11 @@ class Entities {
 
   /// Of a polyline whose points are not those of the line that it draws.
   [[nodiscard]] std::string why_not_read() const {
-    constexpr int fitted = 2 | 4;
-    constexpr int mesh = 16 | 64;
+    constexpr long fitted = 2 | 4;
+    constexpr long mesh = 16 | 64;
     if (kind_ != "LWPOLYLINE" && kind_ != "POLYLINE") return "";
-    const int flags = static_cast<int>(number(70));
+    const auto stated = values_.find(70);
+    const long flags = stated == values_.end() ? 0 : results::parse_number<long>(stated->second).value_or(0);
     if (kind_ == "POLYLINE" && (flags & mesh) != 0) return " of a mesh";
     if (bulged_ || (kind_ == "POLYLINE" && (flags & fitted) != 0)) return " with arcs";
     return number(210) != 0 || number(220) != 0 || number(230) < 0 ? " in a turned plane" : "";
