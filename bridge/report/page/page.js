@@ -146,7 +146,7 @@ function writeVerdict() {
     lines.push(...[f.doubt, f.end].filter(Boolean));
   }
   if (s.moving) lines.push(s.moving.text);
-  lines.push(...lowestFactorInWords(), ...marginsInWords(s));
+  lines.push(...lowestFactorsInWords(), ...marginsInWords(s));
   if (s.stopped) lines.push(`After ${number(report.frames[report.frames.length - 1].t)} of ${number(report.duration_s)} s it was stopped: ${s.stopped.replace(/\.$/, '')}.`);
   if (s.loose) lines.push(s.loose.text + '.');
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
