@@ -53,7 +53,7 @@ nlohmann::json answer_in(const fs::path& folder, const std::string& question, co
   fs::remove(folder / "limit.log");
   results::replace_file(scene_of(folder), scene.text);
   const StopsLater until_it_is_answered;
-  Echo echo(folder / "limit.log", options.quiet || options.no_progress);
+  Echo echo(folder / "limit.log", options.no_progress || (options.quiet && !options.tells_progress));
   Command command = limit_command(folder, question, file);
   if (options.moment_s) command.words.insert(command.words.end(), {"--moment", fmt::format("{}", *options.moment_s)});
   const Supervised supervised = supervise({command}, folder, grace_s, [&echo] {

@@ -19,6 +19,7 @@ struct AskOptions {
   std::string variant{};        ///< one of the scene's [[variant]]; empty: the scene itself
   std::vector<std::string> overrides{};
   bool quiet = false;                ///< prints neither progress nor notes and warnings of the reader
+  bool tells_progress = false;       ///< prints progress even if quiet
   bool no_progress = false;          ///< prints no progress
   std::optional<double> moment_s{};  ///< time whose loads and levels count; default: the run's end
 };

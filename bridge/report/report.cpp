@@ -28,21 +28,30 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The result of `answer()`, or the reason why there is none: a report can do without.
-template <class Answer>
-json or_trouble(Answer answer) {
-  try {
-    return answer();
-  } catch (const process::Stopped&) {
-    throw;
-  } catch (const scene::SceneError& error) {
-    return {{"trouble", error.what()}};
-  } catch (const std::invalid_argument& error) {
-    return {{"trouble", error.what()}};
-  } catch (const std::runtime_error& error) {
-    return {{"trouble", error.what()}};
+/// The answers of a report, which can do without: the reason then stands in their place. After Ctrl-C no more is asked.
+class Questions {
+ public:
+  template <class Answer>
+  json result_or_trouble(Answer answer) {
+    if (stopped_) return {{"trouble", "not asked, as the report was stopped before"}};
+    try {
+      return answer();
+    } catch (const process::Stopped& error) {
+      stopped_ = true;
+      return {{"trouble", error.what()}};
+    } catch (const scene::SceneError& error) {
+      return {{"trouble", error.what()}};
+    } catch (const std::invalid_argument& error) {
+      return {{"trouble", error.what()}};
+    } catch (const std::runtime_error& error) {
+      return {{"trouble", error.what()}};
+    }
   }
-}
+  [[nodiscard]] bool stopped() const { return stopped_; }
+
+ private:
+  bool stopped_ = false;
+};
 
 /// Can a folder "runs" be made, or be written into, where we are?
 bool may_write_here() {
@@ -78,7 +87,7 @@ json kept_reliability(const fs::path& folder) {
 }
 
 /// Null if nothing is uncertain. Long computations are not started for a report.
-json reliability_of(const fs::path& run, const scene::ReadScene& read, const json& kept) {
+json reliability_of(const fs::path& run, const scene::ReadScene& read, const json& kept, Questions& questions) {
   if (!kept.is_null()) {
     if (kept["digest"] == read.scene.digest) return kept;
     throw std::invalid_argument(
@@ -95,7 +104,7 @@ json reliability_of(const fs::path& run, const scene::ReadScene& read, const jso
   fmt::print(stderr, "asking for the reliability\n");
   const fs::path folder = run / "reliability";
   results::make_folder(folder);
-  return or_trouble([&] {
+  return questions.result_or_trouble([&] {
     try {
       return find_reliability({.scene = process::scene_of(run)}, read, folder).answer;
     } catch (const Interrupted&) {
@@ -104,21 +113,22 @@ json reliability_of(const fs::path& run, const scene::ReadScene& read, const jso
   });
 }
 
-picture::ReportParts parts_of(const fs::path& run, const std::string& program, const json& kept) {
+picture::ReportParts parts_of(const fs::path& run, const std::string& program, const json& kept, Questions& questions) {
   const scene::ReadScene read = scene::read(process::scene_of(run));
   picture::ReportParts parts{.scene = read.scene, .run = run, .program = program};
-  parts.reliability = reliability_of(run, read, kept);
+  parts.reliability = reliability_of(run, read, kept, questions);
   parts.summary = sound_summary(run);
-  fmt::print(stderr, "asking for the level of failure and the factors of safety\n");
+  fmt::print(stderr, "asking for the level of failure and the factors of safety; Ctrl-C writes the page without\n");
   const process::TemporaryFolder scratch;
-  process::AskOptions question{.scene = process::scene_of(run), .out = scratch.path() / "level", .quiet = true};
-  parts.level = or_trouble([&] {
+  process::AskOptions question{
+      .scene = process::scene_of(run), .out = scratch.path() / "level", .quiet = true, .tells_progress = true};
+  parts.level = questions.result_or_trouble([&] {
     process::Asked asked = process::ask("level", question);
     asked.answer["scene_warnings"] = asked.scene.warnings;
     return asked.answer;
   });
   question.out = scratch.path() / "safety";
-  parts.safety = or_trouble([&] { return safety_answers(question); });
+  parts.safety = questions.result_or_trouble([&] { return safety_answers(question); });
   parts.home = process::home_of_external(parts.scene, run).string();
   std::vector<const char*> commands{"run", "level", "safety", "report"};
   if (!parts.reliability.is_null()) commands.insert(commands.end() - 1, "reliability");
@@ -180,9 +190,12 @@ int write_report(const ReportOptions& options) {
   }
   results::FolderLock::refuse_in_use(run);
   const fs::path out = options.out.empty() ? run / "report.html" : options.out;
-  results::replace_file(out, picture::report_page(picture::report_data(parts_of(run, options.program, kept))));
+  Questions questions;
+  const picture::ReportParts parts = parts_of(run, options.program, kept, questions);
+  results::replace_file(out, picture::report_page(picture::report_data(parts)));
+  if (questions.stopped()) fmt::print(stderr, "stopped on request: the page is without what was not found by then\n");
   fmt::print("report  {}\n", out.string());
-  return 0;
+  return questions.stopped() ? process::stopped_status : 0;
 }
 
 }  // namespace blockweir::study

@@ -19,8 +19,9 @@ struct ReportOptions {
   std::string program;                 ///< version, commit, compiler: a line each
 };
 
-/// Returns 0; 1 if the scene's run failed, 130 if it was stopped: then no page is written. Throws process::Stopped,
-/// scene::SceneError, and std::invalid_argument for an unsuitable source or file.
+/// Returns 0; 1 if the scene's run failed: then no page is written; 130 if Ctrl-C ended a search after the run: the
+/// page has what was known by then. Throws process::Stopped if the run was stopped, scene::SceneError, and
+/// std::invalid_argument for an unsuitable source or file.
 int write_report(const ReportOptions& options);
 
 }  // namespace blockweir::study

@@ -141,6 +141,7 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
     one.out = out;
     one.overrides = joined(options.overrides, load_case.set);
     one.quiet = quiet;
+    one.tells_progress = options.tells_progress || !options.quiet;
     json found = answer_of(load_case, one, pictures != nullptr ? *pictures : own);
     for (const auto& draw : std::exchange(own, {})) draw();
     const scene::Scene with = scene::read_variant(one.scene, one.variant, one.overrides).scene;

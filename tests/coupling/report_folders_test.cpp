@@ -55,5 +55,50 @@ TEST_F(Report, WritesNothingWhereItCannot) {
   EXPECT_FALSE(fs::exists(folder / "runs"));
 }
 
+/// A search of a jointed dam takes minutes: it tells how far it is, and Ctrl-C leaves the page with what is known.
+TEST_F(Report, AStopOfASearchLeavesThePage) {
+  std::ofstream(folder / "jointed.toml") << R"(analysis = { duration_s = 0.05 }
+water = { upstream_level_m = 9 }
+joint = { friction_angle_deg = 45, uplift = "triangular" }
+material.m = { youngs_modulus_pa = 10e9, poissons_ratio = 0.2, density_kg_per_m3 = 2200 }
+[[block]]
+name = "rock"
+material = "m"
+fixed = true
+vertices_m = [[-20, -6], [25, -6], [25, 0], [-20, 0]]
+[section]
+material = "m"
+outline_m = [[0, 0], [9, 0], [2, 12], [0, 12]]
+[[joint_set]]
+name = "courses"
+dip_deg = 5
+spacing_m = 2
+offset_m = 1
+friction_angle_deg = 25
+uplift = "none"
+[[joint_set]]
+name = "cross joints"
+dip_deg = 90
+spacing_m = 1
+offset_m = 1.5
+friction_angle_deg = 30
+uplift = "none"
+)";
+  ASSERT_EQ(shell(programs + "/blockweir run jointed.toml --quiet --out r"), 0) << text("out");
+  const pid_t report = start(programs + "/blockweir report r", "log");
+  for (int wait = 0; wait < 60'000 && text("log").find("linear systems solved") == std::string::npos; ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  kill(report, SIGINT);
+  EXPECT_EQ(end_of(report, 20), 130);
+  EXPECT_THAT(text("log"), testing::AllOf(HasSubstr("level by the blocks: "), HasSubstr("report  r/report.html")));
+  const nlohmann::json seen = opened("r/report.html");
+  ASSERT_TRUE(seen.is_object()) << text("log") << text("browser.log");
+  EXPECT_EQ(seen["faults"], nlohmann::json::array());
+  EXPECT_THAT(seen["verdict"].get<std::string>(),
+              testing::AllOf(HasSubstr("The structure STANDS"), HasSubstr("No answer on factors of safety: not asked"),
+                             HasSubstr("No answer on the level of failure: stopped on request; known by then: level by "
+                                       "the blocks: ")));
+}
+
 }  // namespace
 }  // namespace blockweir::test::report_folders_test

@@ -159,7 +159,8 @@ between = ["head", "foot"]
   EXPECT_THAT(seen["verdict"].get<std::string>(),
               testing::ContainsRegex(
                   "STANDS *\n? *The lowest factor of safety [^:]*: of the scene as written at a level of 17 m, by "
-                  "[^.]*.Factor by limit analysis: .*slide on joint \"base\".*Of joints that run "
+                  "[^.]*.The lowest factor on the water .*Factor by limit analysis: .*slide on joint \"base\".*Of "
+                  "joints that run "
                   "straight through the structure: .*on joint \"lift\""));
 }
 
@@ -233,8 +234,9 @@ set = ["water.upstream_level_m=8.5"]
   ASSERT_TRUE(seen.is_object()) << text("out") << text("browser.log");
   EXPECT_THAT(
       seen["verdict"].get<std::string>(),
-      testing::ContainsRegex("The lowest factor of safety of this report is [0-9.]+: of load case \"flood\" at a "
-                             "level of 8.5 m, by the statics of the blocks"));
+      testing::ContainsRegex("The lowest factor of safety of this report, on strength, is [0-9.]+: of load case "
+                             "\"flood\" at a level of 8.5 m, by the statics of the blocks.The lowest factor on "
+                             "the water is [0-9.]+: of load case \"flood\" at a level of 8.5 m, by limit"));
   EXPECT_THAT(seen["joints"].get<std::string>(), testing::ContainsRegex("lifts, [0-9.]+ to [0-9.]+ m"));
 }
 

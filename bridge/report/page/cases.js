@@ -11,12 +11,14 @@ function withElevations(joints) {
   return joints.map(j => (joints.filter(other => other.name === j.name).length > 1 ? {...j, name: `${j.name}, ${elevations(j)} m`} : j));
 }
 
+const atLevel = level => (is(level) ? ` at a level of ${number(level)} m` : '');
+const whatOf = c => (c.name === 'scene as written' ? 'the scene as written' : `load case "${c.name}"`) + atLevel(c.level_m);
+
 /// All factors on strength that this report has: [factor, of what, by which way] each.
 function strengthFactors() {
-  const where = level => (is(level) ? ` at a level of ${number(level)} m` : '');
   const factors = [];
   for (const c of answeredCases()) {
-    const add = (factor, way) => factors.push([factor, (c.name === 'scene as written' ? 'the scene as written' : `load case "${c.name}"`) + where(c.level_m), way]);
+    const add = (factor, way) => factors.push([factor, whatOf(c), way]);
     add(c.factor, 'the statics of the blocks');
     add(c.limit_analysis_factor, 'limit analysis');
     for (const [key, way] of [['with_crushed_corners', 'limit analysis with corners that are crushed'], ['with_cracked_joint', 'limit analysis with cohesion on what is not in tension alone'],
@@ -24,17 +26,26 @@ function strengthFactors() {
     for (const j of withElevations(c.joints || [])) add(j.sliding_factor, `the forces in joint "${j.name}"`);
   }
   const {margin} = report.summary;
-  if (margin) factors.push([margin.sliding_factor, `the run after ${number(margin.time_s)} s${where(margin.level_m)}`, `the forces in joint "${margin.joint}"`]);
-  return factors.filter(([factor]) => is(factor));
+  if (margin) factors.push([margin.sliding_factor, `the run after ${number(margin.time_s)} s${atLevel(margin.level_m)}`, `the forces in joint "${margin.joint}"`]);
+  return factors;
 }
 
-/// The lowest decides. Of those that agree the first is named.
-function lowestFactorInWords() {
-  const factors = strengthFactors();
-  if (answeredCases().length === 0 || factors.length === 0) return [];
+/// Of what fails no factor above 1 on the water is told: it would read as if it stood.
+function waterFactors() {
+  return answeredCases().filter(c => c.water_factor && !(c.outcome === 'fails' && c.water_factor.factor >= 1))
+    .map(c => [c.water_factor.factor, whatOf(c), 'limit analysis' + ('with_anchors_at_yield' in c.water_factor ? ' with anchors at their prestress' : '')]);
+}
+
+/// Of factors that agree the first is named.
+function lowestInWords(name, all) {
+  const factors = all.filter(([factor]) => is(factor));
   const least = Math.min(...factors.map(([factor]) => factor));
-  const [factor, what, way] = factors.find(([f]) => f <= least * (1 + 1e-3));
-  return [`The lowest factor of safety of this report is ${number(factor, 4)}: of ${what}, by ${way}.`];
+  return factors.filter(([factor]) => factor <= least * (1 + 1e-3)).slice(0, 1).map(([factor, what, way]) => `${name} is ${number(factor, 4)}: of ${what}, by ${way}.`);
+}
+
+function lowestFactorsInWords() {
+  if (answeredCases().length === 0) return [];
+  return [...lowestInWords('The lowest factor of safety of this report, on strength,', strengthFactors()), ...lowestInWords('The lowest factor on the water', waterFactors())];
 }
 
 /// What acts on all that stands on a joint, and the sum, which the joint bears.

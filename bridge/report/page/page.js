@@ -121,6 +121,13 @@ function marginsInWords({margin, limit_analysis: limit}) {
   return governs ? [lines[1], 'Of joints that run straight through the structure: ' + lines[0]] : lines;
 }
 
+/// What the page has no answer on.
+function missingInWords() {
+  const missing = [[report.safety, 'factors of safety'], [report.level, 'the level of failure'], [report.reliability, 'the reliability']]
+    .filter(([found]) => found && found.trouble);
+  return missing.map(([{trouble}, what]) => `No answer on ${what}: ${trouble}.`);
+}
+
 function writeVerdict() {
   const s = report.summary;
   const words = {fails: 'The structure FAILS', stands: 'The structure STANDS', moving: 'UNDECIDED: something still moves at the end', stopped: 'STOPPED'};
@@ -139,13 +146,14 @@ function writeVerdict() {
     lines.push(...[f.doubt, f.end].filter(Boolean));
   }
   if (s.moving) lines.push(s.moving.text);
-  lines.push(...lowestFactorInWords(), ...marginsInWords(s));
+  lines.push(...lowestFactorsInWords(), ...marginsInWords(s));
   if (s.stopped) lines.push(`After ${number(report.frames[report.frames.length - 1].t)} of ${number(report.duration_s)} s it was stopped: ${s.stopped.replace(/\.$/, '')}.`);
   if (s.loose) lines.push(s.loose.text + '.');
   if (s.breach) lines.push(`After ${number(s.breach.time_s)} s: ${s.breach.text}.`);
   if (s.rest) lines.push(s.rest.text + '.');
   lines.push(...loadCasesInWords(), ...reliabilityInWords(report.reliability));
   for (const line of lines) chapter('verdict').append(paragraph(line.charAt(0).toUpperCase() + line.slice(1)));
+  for (const missing of missingInWords()) chapter('verdict').append(paragraph(missing, 'bad'));
   for (const warning of allWarnings()) chapter('verdict').append(paragraph(warning, 'bad'));
 }
 
@@ -197,6 +205,8 @@ function writeLevel() {
   if (found.formula) rows.push([`formula ${found.formula.name}`, fixed(found.formula.level_m, 4), fixed(found.formula.head_m, 4), '-', found.formula.joint]);
   to.append(table(['found by', 'level m', 'head m', 'mode', 'joint'], rows),
     differenceOf(found.difference));
+  const short = (way, f) => [f.outcome === 'not found' ? `${way}: no answer, ${f.reason}.` : '', f.stopped ? `${way}: known to ${number(f.level_width_m, 2)} m, ${f.stopped}.` : ''].filter(Boolean);
+  for (const text of [...short('Statics of the blocks', found), ...(found.rigid_blocks ? short('Blocks that do not strain', found.rigid_blocks) : []), ...short('Limit analysis', found.limit_analysis)]) to.append(paragraph(text, 'bad'));
   if (found.looked_at) to.append(paragraph(`Levels are ${found.looked_at}.`, 'quiet'));
   if (found.assumed) to.append(paragraph(`Water: ${found.assumed}.`, 'quiet'));
   to.append(...warningsAbove(onceEach([['', warningsOf(found)]]).length));
