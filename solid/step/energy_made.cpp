@@ -170,7 +170,8 @@ void StepEnergy::pass_debts_on(const IslandEquations& s, const std::vector<int>&
     if (a == b) continue;
     for (const auto& [owes, pays] : {std::pair(a, b), std::pair(b, a)}) {
       Group& other = groups[at(pays)];
-      if (groups[at(owes)].owed == 0 || other.owed > 0 || !other.watched()) continue;
+      const Group& group = groups[at(owes)];
+      if (group.owed == 0 || other.owed > 0 || !other.watched() || other.kinetic <= group.kinetic) continue;
       Group*& best = payer[at(owes)];
       if (best == nullptr || other.kinetic > best->kinetic) best = &other;
     }

@@ -17,10 +17,6 @@ constexpr std::ptrdiff_t most_blocks = 150;  // statics takes minutes for 400 th
 
 }  // namespace
 
-/// What finds a state of rest makes one step, seldom five on the way and eight as it settles.
-constexpr MotionFromRest::Search on_the_way = {.most_steps = 30, .hardly = 0.1};
-constexpr MotionFromRest::Search as_settling = {.most_steps = 10, .hardly = 1};
-
 /// Are there so few that Newton's method follows their forces from step to step? Those of many are centred
 /// (centred_forces.hpp), or statics would take too long.
 bool MotionFromRest::follows_forces() const {
@@ -51,7 +47,7 @@ bool MotionFromRest::starts_at_rest(const std::vector<Panel>& water) {
   if (std::any_of(state_.blocks.begin(), state_.blocks.end(), is_thrown)) return false;
   before_ = state_;
   balance_before_ = state_.energy;
-  if (rests_by_statics(water, model_.settling_time_s(), as_settling)) return true;
+  if (rests_by_statics(water, model_.settling_time_s(), at_start)) return true;
   state_.restore(before_);
   state_.energy = balance_before_;
   return false;
@@ -94,7 +90,7 @@ bool MotionFromRest::rests_by_statics(const std::vector<Panel>& water, double at
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
     const Vector6 moved = state_.blocks[b].displacement - before_.blocks[b].displacement;
     const double farthest_m = moved.head<2>().norm() + model_.blocks[b].radius * std::abs(moved[2]);
-    if (farthest_m > search.hardly * model_.scene.analysis.failure_displacement_m) return false;
+    if (farthest_m > search.farthest * model_.scene.analysis.failure_displacement_m) return false;
   }
   return true;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rigid blocks that a step sets in motion from rest. Friction and redundant contacts leave their forces open: those of
-// the step before may lead to a slip, from one step length and not from another, under loads that the blocks bear. What
-// can stay is told as by a static analysis: by slips without velocity, until forces balance or it moves on.
+// Blocks that go from rest to motion, at the start or, if rigid, in a step. Friction and redundant contacts leave their
+// forces open: those of held joints, or of the step before, may lead to a slip, from one step length and not from
+// another, under loads that the blocks bear. What can stay is told as by a static analysis: by slips without velocity,
+// until forces balance or it moves on.
 #pragma once
 
 #include <cstddef>
@@ -24,12 +25,15 @@ class MotionFromRest : StepPart {
   /// is the step's end.
   void end_step(double dt, const std::vector<Panel>& water, double at_s);
 
+ private:
   struct Search {
     int most_steps;
-    double hardly;  ///< no rest where a block has gone farther, as a part of failure_displacement_m
+    double farthest;  ///< that a block may go to a state of rest, over failure_displacement_m
   };
+  /// What finds a state of rest makes one step, seldom five on the way and eight at the start.
+  static constexpr Search at_start = {.most_steps = 10, .farthest = 1};
+  static constexpr Search on_the_way = {.most_steps = 30, .farthest = 0.1};
 
- private:
   [[nodiscard]] bool follows_forces() const;
   [[nodiscard]] bool moves_by_itself() const;
   [[nodiscard]] std::ptrdiff_t moving_blocks() const;
