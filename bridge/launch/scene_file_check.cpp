@@ -29,20 +29,20 @@ void add_warnings(const scene::ReadScene& read, const std::string& whose, int li
 }
 
 /// Whether the text has the name of such a table anywhere: large scenes, which rarely have one, are not read twice.
-bool may_hold_variants(const std::filesystem::path& path) {
+bool may_hold_variants_or_studies(const std::filesystem::path& path) {
   const std::filesystem::path file = scene::scene_file(path);
   std::error_code failed;
   if (!std::filesystem::is_regular_file(file, failed)) return false;
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const auto words = {"variant", "load_case"};
+  const auto words = {"variant", "load_case", "study", "limit", "order", "map", "random"};
   return std::any_of(words.begin(), words.end(),
                      [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-/// Of scenes that are run as this one is.
-SceneFileCheck check_variants(const scene::ReadScene& read, const std::filesystem::path& path,
-                              const std::vector<std::string>& overrides) {
+/// All but benches, whose dozens of settings each want the scene read anew.
+SceneFileCheck check_but_benches(const scene::ReadScene& read, const std::filesystem::path& path,
+                                 const std::vector<std::string>& overrides) {
   SceneFileCheck found;
   std::vector<scene::Diagnostic>& warnings = found.warnings;
   scene::CollectedErrors& wrong = found.wrong;
@@ -60,16 +60,6 @@ SceneFileCheck check_variants(const scene::ReadScene& read, const std::filesyste
       for (auto& missed : study::missed_joints(load_case, set.scene)) warnings.push_back(std::move(missed));
     });
   }
-  return found;
-}
-
-}  // namespace
-
-SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesystem::path& path,
-                                const std::vector<std::string>& overrides) {
-  SceneFileCheck found = check_variants(read, path, overrides);
-  scene::CollectedErrors& wrong = found.wrong;
-  // Each of these reads the scene anew, many times.
   const scene::Studies& asked = read.scene.studies;
   if (!asked.limits.empty() || !asked.orders.empty() || !asked.maps.empty()) {
     wrong.from([&] { found.studies += study::study_tasks(path, overrides).size(); });
@@ -77,15 +67,23 @@ SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesys
   if (!read.open_studies.empty()) {
     wrong.from([&] { found.studies += study::open_study_tasks(path, overrides, /*jobs=*/1).size(); });
   }
-  if (!asked.benches.empty()) wrong.from([&] { study::bench_settings(path, overrides); });
   wrong.from([&] {
-    for (auto& warning : study::refused_draws(path, read, overrides)) found.warnings.push_back(std::move(warning));
+    for (auto& warning : study::refused_draws(path, read, overrides)) warnings.push_back(std::move(warning));
   });
   return found;
 }
 
+}  // namespace
+
+SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesystem::path& path,
+                                const std::vector<std::string>& overrides) {
+  SceneFileCheck found = check_but_benches(read, path, overrides);
+  if (!read.scene.studies.benches.empty()) found.wrong.from([&] { study::bench_settings(path, overrides); });
+  return found;
+}
+
 void require_sound_file(const std::filesystem::path& path) {
-  if (!may_hold_variants(path)) return;
+  if (!may_hold_variants_or_studies(path)) return;
   const auto read = [&]() -> std::optional<scene::ReadScene> {
     try {
       return scene::read(path);
@@ -93,7 +91,7 @@ void require_sound_file(const std::filesystem::path& path) {
       return std::nullopt;
     }
   }();
-  if (read) check_variants(*read, path, {}).wrong.report();
+  if (read) check_but_benches(*read, path, {}).wrong.report();
 }
 
 }  // namespace blockweir::launch

@@ -17,9 +17,9 @@ struct SceneFileCheck {
 SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesystem::path& path,
                                 const std::vector<std::string>& overrides);
 
-/// Throws scene::SceneError with all problems of variants and load cases, as the file states them. A scene that only
-/// its overrides make sound is left to these. What a run does not need, as studies and benches, is left to `check` and
-/// to the commands that make them: it took ten times as long as all else before a run.
+/// Throws scene::SceneError with all problems of them, as the file states them. A scene that only its overrides make
+/// sound is left to these. Benches are left to `check` and `bench`: where they are many they took longer than all else
+/// before a run.
 void require_sound_file(const std::filesystem::path& path);
 
 }  // namespace blockweir::launch
