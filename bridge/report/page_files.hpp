@@ -2,10 +2,14 @@
 // The files of page/, embedded in the program by the build.
 #pragma once
 
+#include <string>
+
 namespace blockweir::picture {
 
-extern const char* const page_html;    ///< with placeholders @STYLE@, @DATA@ and @SCRIPT@
-extern const char* const page_style;   ///< CSS
-extern const char* const page_script;  ///< JavaScript: all files, in the order of their dependence
+extern const char* const page_html;   ///< with placeholders @STYLE@, @DATA@ and @SCRIPT@
+extern const char* const page_style;  ///< CSS
+
+/// JavaScript: all files, in the order of their dependence.
+std::string page_script();
 
 }  // namespace blockweir::picture

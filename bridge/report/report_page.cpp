@@ -48,7 +48,7 @@ std::string report_page(const json& data) {
   std::string text = data.dump();
   boost::replace_all(text, "<", "\\u003c");  // a text of the scene cannot end the script that holds it
   boost::replace_first(page, "@STYLE@", page_style);
-  boost::replace_first(page, "@SCRIPT@", page_script);
+  boost::replace_first(page, "@SCRIPT@", page_script());
   boost::replace_first(page, "@DATA@", text);
   return page;
 }
