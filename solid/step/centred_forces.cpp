@@ -11,9 +11,14 @@ namespace blockweir::solid {
 namespace {
 
 constexpr int most_solutions = 30;
-constexpr double most_lost = 0.9;     // of a force in one correction
+constexpr double most_lost = 0.9;     // of a distance in one correction
 constexpr double least_force = 1e-3;  // of the largest load: where a force of the step before is at its bound
 constexpr double inertia = 1e-14;     // in units of the stiffnesses: regular where forces leave a motion open
+
+/// Bonds that break do so when blocks have strained, not when no forces are left that hold them.
+bool lasts(const JointProperties& law) {
+  return law.keeps_cohesion && law.is_straight();
+}
 
 }  // namespace
 
@@ -45,53 +50,54 @@ bool CentredForces::begin(IslandEquations& s) {
   loads_ = s.residual;
   const double least = least_force * loads_.cwiseAbs().maxCoeff();
   const Trial now = trial_.now();
-  cones_.resize(s.island.contacts.size());
-  s.actions.resize(cones_.size());
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
+  forces_.assign(s.island.contacts.size(), {});
+  s.actions.resize(forces_.size());
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
     const int k = s.island.contacts[i];
     const ContactPoint& c = state_.contacts[at(k)];
-    const Ruled ruled = formulation_->ruled_contact(now, k, c);
-    if (!ruled.rule.is_dry()) return false;
+    Ruled ruled = formulation_->ruled_contact(now, k, c);
+    if (!ruled.rule.is_dry()) {
+      if (!lasts(model_.laws[c.law]) || !BoundedForce::fits(ruled.rule)) return false;
+      ruled.rule.least_normal = -model_.laws.strength(c, 0).tension;
+    }
     s.actions[i] = interaction_of(c, edge_frame(now, c), ruled.apart.y());
-    cones_[i] = {.friction = ruled.rule.friction};
     if (ruled.apart.x() > formulation_->settings().penetration_tolerance_m) continue;
-    const double half = c.force.x() / 2;
-    const double skewed = ruled.rule.friction > 0 ? c.force.y() / (2 * ruled.rule.friction) : 0;
-    cones_[i].minus = std::max(half - skewed, least);
-    cones_[i].plus = std::max(half + skewed, least);
-    s.actions[i].force = cones_[i].force();
+    forces_[i] = BoundedForce(ruled.rule, c.force, least);
+    s.actions[i].force = forces_[i].force();
   }
   return true;
 }
 
-/// The Hessian of the sum of logarithms is that of springs whose stiffnesses are the forces' squares.
+/// The Hessian of the sum of logarithms, inverted, is that of springs.
 void CentredForces::set_stiffnesses(IslandEquations& s) {
   double largest = 0;
   for (const int block : s.island.blocks) largest = std::max(largest, trial_.matrix[at(block)](0, 0));
   double squares = 0;
   double number = 0;
-  for (const Cone& c : cones_) {
-    squares += c.minus * c.minus + c.plus * c.plus;
-    number += c.open() ? 0 : 2;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    s.actions[i].stiffness.setZero();
+    if (forces_[i].open()) continue;
+    s.actions[i].stiffness = forces_[i].squares();
+    squares += s.actions[i].stiffness(0, 0);
+    number += 2;
   }
   share_ = largest * number / (inertia * squares);
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
-    const auto& [f, minus, plus, minus_change, plus_change] = cones_[i];
-    const double a = share_ * minus * minus;
-    const double b = share_ * plus * plus;
-    s.actions[i].stiffness << a + b, f * (b - a), f * (b - a), f * f * (a + b);
-  }
+  for (Interaction& action : s.actions) action.stiffness *= share_;
 }
 
-/// Newton's method on 1/p = A^T y and L + A p = 0, p the forces along edges of cones, L the loads, A what the forces do
-/// to the blocks, y multipliers: (A P^2 A^T) y = L + 2 A p, then p + dp = 2 p - P^2 A^T y.
+/// Newton's method on g(f) = A^T y and L + A f = 0, f the forces, g the gradient of the logarithms, L the loads, A what
+/// the forces do to the blocks, y multipliers: with K the inverse of g's derivative, negative,
+/// (A K A^T) y = L + A (f + K g), then f + df = f + K (g - A^T y).
 bool CentredForces::find_changes(IslandEquations& s) {
   set_stiffnesses(s);
-  s.residual = 2 * s.residual - loads_;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (!forces_[i].open()) s.actions[i].force += forces_[i].to_centre();
+  }
+  s.balance_alone();
+  s.find_residual([&](std::size_t k) { s.add_forces(k); });
   if (!s.solve_symmetric()) return false;
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
-    Cone& c = cones_[i];
-    if (c.open()) continue;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (forces_[i].open()) continue;
     Eigen::Vector2d motion = Eigen::Vector2d::Zero();
     for (const bool second : {false, true}) {
       const int block = s.actions[i].block(second);
@@ -100,50 +106,44 @@ bool CentredForces::find_changes(IslandEquations& s) {
       motion += (second ? -1 : 1) * s.actions[i].rigid_shape(trial_.placement[at(block)], second) *
                 s.correction.segment<3>(first);
     }
-    c.minus_change = c.minus - share_ * c.minus * c.minus * (motion.x() - c.friction * motion.y());
-    c.plus_change = c.plus - share_ * c.plus * c.plus * (motion.x() + c.friction * motion.y());
+    forces_[i].set_motion(share_ * motion);
   }
   return true;
 }
 
-/// Farkas' lemma: no admissible forces balance the loads if these do work along a motion y that opens all contacts,
-/// slip opening them by the tangent of friction. Where some would close, it takes forces that are large against all
-/// loads.
+/// Farkas' lemma: no admissible forces balance the loads if these do more work along a motion y that opens all
+/// contacts, slip opening them by the tangent of friction, than bonds resist. Where some would close, it takes forces
+/// that are large against all loads.
 bool CentredForces::none_can_hold(const IslandEquations& s) const {
   constexpr double large = 100;
   double closes = 0;
-  for (const Cone& c : cones_) {
-    if (c.open()) continue;
-    closes +=
-        std::max(0.0, c.minus_change / c.minus - 1) / c.minus + std::max(0.0, c.plus_change / c.plus - 1) / c.plus;
+  double resists = 0;
+  for (const BoundedForce& f : forces_) {
+    if (f.open()) continue;
+    closes += f.closes();
+    resists += f.resists();
   }
-  return share_ * loads_.dot(s.correction) > large * loads_.cwiseAbs().sum() * closes;
+  return share_ * loads_.dot(s.correction) > large * loads_.cwiseAbs().sum() * closes + resists;
 }
 
+/// By no more than what leaves every distance a part of itself.
 void CentredForces::change(IslandEquations& s) {
-  const double fraction = positive_fraction();
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
-    Cone& c = cones_[i];
-    c.minus += fraction * c.minus_change;
-    c.plus += fraction * c.plus_change;
-    s.actions[i].force = c.force();
-  }
-}
-
-/// The part of the changes, at most one, by which no force loses more than it may.
-double CentredForces::positive_fraction() const {
   double lost = most_lost;
-  for (const Cone& c : cones_) {
-    if (!c.open()) lost = std::max({lost, -c.minus_change / c.minus, -c.plus_change / c.plus});
+  for (const BoundedForce& f : forces_) {
+    if (!f.open()) lost = std::max(lost, f.lost());
   }
-  return most_lost / lost;
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    if (forces_[i].open()) continue;
+    forces_[i].change(most_lost / lost);
+    s.actions[i].force = forces_[i].force();
+  }
 }
 
 void CentredForces::take(IslandEquations& s) {
   const Trial now = trial_.now();
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
     const int k = s.island.contacts[i];
-    formulation_->take_contact(now, k, state_.contacts[at(k)], {.force = cones_[i].force(), .exact = true});
+    formulation_->take_contact(now, k, state_.contacts[at(k)], {.force = forces_[i].force(), .exact = true});
   }
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Forces by which many rigid blocks that rest in dry contacts go on resting. Of all admissible forces those farthest
-// from their bounds: their analytic centre (Sonnevend 1985), which maximizes the product of the forces along both edges
-// of all cones of friction. Newton's method follows it from the forces of the step before in a solution or two. The
-// contact states need no search meanwhile: at the centre every contact sticks.
+// Forces by which many rigid blocks that rest go on resting, in contacts without bonds or with bonds that last. Of all
+// admissible forces those farthest from their bounds: their analytic centre (Sonnevend 1985), which maximizes the
+// product of the distances from all bounds. Newton's method follows it from the forces of the step before in a solution
+// or two. The contact states need no search meanwhile: at the centre every contact sticks.
 #pragma once
 
 #include <vector>
 
+#include "solid/step/bounded_force.hpp"
 #include "solid/step/island_equations.hpp"
 #include "solid/step/step_mode.hpp"
 
@@ -24,29 +25,16 @@ class CentredForces : StepPart {
   bool hold(IslandEquations& island);
 
  private:
-  /// Forces along both edges of a cone of friction: shear at its negative and at its positive bound [N per metre].
-  struct Cone {
-    double friction = 0;
-    double minus = 0;
-    double plus = 0;
-    double minus_change = 0;
-    double plus_change = 0;
-
-    [[nodiscard]] bool open() const { return minus == 0; }
-    [[nodiscard]] Eigen::Vector2d force() const { return {minus + plus, friction * (plus - minus)}; }
-  };
-
   bool begin(IslandEquations& island);
   void set_stiffnesses(IslandEquations& island);
   bool find_changes(IslandEquations& island);
   [[nodiscard]] bool none_can_hold(const IslandEquations& island) const;
   void change(IslandEquations& island);
-  [[nodiscard]] double positive_fraction() const;
   void take(IslandEquations& island);
 
-  std::vector<Cone> cones_;  ///< of the island's contacts; without friction and forces: open ones
+  std::vector<BoundedForce> forces_;  ///< of the island's contacts
   Eigen::VectorXd loads_;
-  double share_ = 0;  ///< of the forces' squares: what makes stiffnesses of them, large against inertia
+  double share_ = 0;  ///< of the squares: what makes stiffnesses of them, large against inertia
 };
 
 }  // namespace blockweir::solid

@@ -149,7 +149,7 @@ TEST_F(SeriesSystem, IsFoundAtAnyDistance) {
     const json form = ask("form", standard(2), function)["answer"];
     EXPECT_NEAR(form["index"].get<double>(), index, 1e-6);
     EXPECT_NEAR(std::log10(form["probability"].get<double>() / phi(-index)), 0, 1e-3);
-    EXPECT_EQ(form["without_effect_at_means"], index < 0.04 * 34 ? json::array() : json{1});
+    EXPECT_EQ(form["without_effect_at_means"], index < 0.04 * 34 ? json::array() : json::array({1}));
     const json sorm = ask("sorm", standard(2), function)["answer"];
     EXPECT_NEAR(sorm["breitung"]["index"].get<double>(), index, 1e-2);
     const json subset = ask("subset", standard(2), function);

@@ -50,7 +50,7 @@ TEST_F(Bisection, TheMiddleOfABracketIsAValueThatAUserWouldType) {
                    engine);
   const scene::CriticalValue friction{.key = std::string(FailsAbove::key), .from = 0.1, .to = 0.2, .width = 0.3};
   const Finding found = critical_task({.name = "s", .line = 1, .question = friction}, 1).find(runs);
-  EXPECT_EQ(found.runs.back()["settings"], json{"joint.friction_angle_deg=0.15"});
+  EXPECT_EQ(found.runs.back()["settings"], json::array({"joint.friction_angle_deg=0.15"}));
   EXPECT_EQ(found.answer["bracket"].dump(), "[0.15,0.2]");
   EXPECT_EQ(found.answer["value"].dump(), "0.175");
 }

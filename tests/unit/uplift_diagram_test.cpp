@@ -34,7 +34,7 @@ vertices_m = [[-9, -5], [15, -5], [15, 0], [-9, 0]]
         b + 1);
     base["panels"].push_back({b, 0, b + 1, 0, 8000 * (6 - b), 8000 * (5 - b), b + 1});
   }
-  return section_state(scene::read_text(text, "base.toml").scene, json{base}, 0, json::array());
+  return section_state(scene::read_text(text, "base.toml").scene, json::array({base}), 0, json::array());
 }
 
 TEST(UpliftDiagram, UpliftOfALineOfJointsIsDrawnToOneScale) {
