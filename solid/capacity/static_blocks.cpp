@@ -85,6 +85,10 @@ bool StaticBlocks::rests_at(double level_m, double share) {
   return true;
 }
 
+bool StaticBlocks::must_move(double level_m) {
+  return solid_.must_move(scene_.analysis.duration_s, panels_of(pressures(level_m), solid_));
+}
+
 bool StaticBlocks::slipped_away() const {
   return solid_.state().largest_slip_m() > most_slip_m_;
 }

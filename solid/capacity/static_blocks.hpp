@@ -35,6 +35,9 @@ class StaticBlocks {
   /// drawn exceeds all of it (beyond that under weight and first loads).
   bool rests_at(double level_m, double share);
 
+  /// Is it proved that they cannot rest where they are?
+  bool must_move(double level_m);
+
   /// Whether anything has moved as far as a failure in the last rests_at().
   [[nodiscard]] bool went_far() const;
   /// Whether anything has slipped by more than a failure since the scene as drawn, measured as in rests_at().

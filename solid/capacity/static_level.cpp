@@ -115,7 +115,7 @@ class LevelSearch {
       if (next_m <= rests_m_ || next_m >= fails_m_) break;
       // Pure strain moves less under a small rise, and slip need not be followed as far.
       const double share = std::min(1.0, followed_ * std::max(1e-6, (next_m - rests_m_) / range_m_));
-      if (blocks_.rests_at(next_m, share)) {
+      if (!blocks_.must_move(next_m) && blocks_.rests_at(next_m, share)) {
         rest_at(next_m);
       } else {
         fails_m_ = next_m;
@@ -137,7 +137,8 @@ class LevelSearch {
     blocks_.restore(resting_);
     FailureWatch watch(blocks_.solid());
     watch.look(0, blocks_.levels(rests_m_));
-    if (blocks_.rests_at(beyond_m, 1)) {
+    const bool must_move = blocks_.must_move(beyond_m);
+    if (comes_to_rest(beyond_m, must_move)) {
       if (!settles_m_) settles_m_ = rests_m_;
       rest_at(beyond_m);
       fails_m_ = unknown;
@@ -151,7 +152,7 @@ class LevelSearch {
     found.slips_add_up = blocks_.slipped_away();
     if (blocks_.went_far()) {
       found.failure = slipped_body(blocks_.solid(), beyond_m);
-    } else {
+    } else if (!must_move) {
       throw std::runtime_error(fmt::format(
           "level by the blocks: they rest up to {:.9g} m; at {:.9g} m no equilibrium was found, and no block "
           "had gone as far as a failure; expected one of both; run the scene at that level and look at its motion",
@@ -160,9 +161,23 @@ class LevelSearch {
     return false;
   }
 
+  /// What must move may do so for minutes: its level is known then, and only its mode is not.
+  bool comes_to_rest(double level_m, bool must_move) {
+    if (!must_move) return blocks_.rests_at(level_m, 1);
+    try {
+      effort_.allow(most_systems);
+      const bool rests = blocks_.rests_at(level_m, 1);
+      effort_.allow(LONG_MAX);
+      return rests;
+    } catch (const Undecided&) {
+      effort_.allow(LONG_MAX);
+      return false;
+    }
+  }
+
   static constexpr double unknown = std::numeric_limits<double>::infinity();
-  /// Of blocks that limit analysis finds to fall under the empty reservoir: at rest by then, they have moved until
-  /// faces touch, or wedge each other. The others creep for minutes.
+  /// Of blocks that no forces hold, by limit analysis under the empty reservoir or by Farkas' lemma: at rest by then,
+  /// they have moved until faces touch, or wedge each other. The others creep for minutes.
   static constexpr long most_systems = 2000;
   static constexpr double settled_width = 1e-6;  // each level past the bracket takes a slip of the whole way
 

@@ -13,6 +13,7 @@ namespace {
 constexpr int most_solutions = 30;
 constexpr double most_lost = 0.9;     // of a distance in one correction
 constexpr double least_force = 1e-3;  // of the largest load: where a force of the step before is at its bound
+constexpr double round_off = 1e-9;    // of all loads: solutions near the limit leave as much
 constexpr double inertia = 1e-14;     // in units of the stiffnesses: regular where forces leave a motion open
 
 /// Bonds that break do so when blocks have strained, not when no forces are left that hold them.
@@ -24,22 +25,26 @@ bool lasts(const JointProperties& law) {
 
 bool CentredForces::may_hold(const IslandEquations& s, const StepMode& mode) const {
   const bool many = s.unknowns->total > few_unknowns && s.unknowns->total == 3 * s.unknowns->blocks();
-  return many && mode.in_motion() && !mode.settles && !mode.friction_lags && !step_.substitute &&
+  return many && !mode.settles && !mode.friction_lags && !step_.substitute &&
          formulation_->force_constraints() == nullptr && formulation_->holds_exactly() && !s.moves_as_one() &&
          s.island.supports.empty() && s.bolts.empty() && moves_little(step_, s);
 }
 
-bool CentredForces::hold(IslandEquations& s) {
-  if (!begin(s)) return false;
+Held CentredForces::hold(IslandEquations& s) {
+  if (!begin(s)) return Held::unknown;
+  const double tolerance_n = formulation_->settings().force_tolerance_n;
+  const double round_off_n = round_off * loads_.cwiseAbs().sum();
+  double taken = 0;  // of the last changes; whole ones leave nothing but round-off
   for (int solutions = 0;; ++solutions) {
     s.balance_alone();
     const double left = s.find_residual([&](std::size_t k) { s.add_forces(k); });
-    if (left <= formulation_->settings().force_tolerance_n) break;
-    if (solutions == most_solutions || !find_changes(s) || none_can_hold(s)) return false;
-    change(s);
+    if (left <= tolerance_n || (taken == 1 && left <= round_off_n)) break;
+    if (solutions == most_solutions || !find_changes(s)) return Held::unknown;
+    if (none_can_hold(s)) return Held::no;
+    taken = change(s);
   }
   take(s);
-  return true;
+  return Held::yes;
 }
 
 /// Nothing moves; forces of the step before, away from their bounds. False where a contact has another law.
@@ -126,8 +131,8 @@ bool CentredForces::none_can_hold(const IslandEquations& s) const {
   return share_ * loads_.dot(s.correction) > large * loads_.cwiseAbs().sum() * closes + resists;
 }
 
-/// By no more than what leaves every distance a part of itself.
-void CentredForces::change(IslandEquations& s) {
+/// By no more than what leaves every distance a part of itself; returns the part that was taken.
+double CentredForces::change(IslandEquations& s) {
   double lost = most_lost;
   for (const BoundedForce& f : forces_) {
     if (!f.open()) lost = std::max(lost, f.lost());
@@ -137,6 +142,7 @@ void CentredForces::change(IslandEquations& s) {
     forces_[i].change(most_lost / lost);
     s.actions[i].force = forces_[i].force();
   }
+  return most_lost / lost;
 }
 
 void CentredForces::take(IslandEquations& s) {

@@ -13,6 +13,9 @@
 
 namespace blockweir::solid {
 
+/// Whether admissible forces hold blocks where they are.
+enum class Held { yes, no, unknown };
+
 class CentredForces : StepPart {
  public:
   explicit CentredForces(StepWorkspace& step) : StepPart(step) {}
@@ -22,14 +25,14 @@ class CentredForces : StepPart {
 
   /// Do such forces hold the island where the step began? They act then. Otherwise the trial and its contacts are left
   /// as they come.
-  bool hold(IslandEquations& island);
+  Held hold(IslandEquations& island);
 
  private:
   bool begin(IslandEquations& island);
   void set_stiffnesses(IslandEquations& island);
   bool find_changes(IslandEquations& island);
   [[nodiscard]] bool none_can_hold(const IslandEquations& island) const;
-  void change(IslandEquations& island);
+  double change(IslandEquations& island);
   void take(IslandEquations& island);
 
   std::vector<BoundedForce> forces_;  ///< of the island's contacts

@@ -48,9 +48,12 @@ void begin_anew(StepWorkspace& step, IslandEquations& island) {
 Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepMode& mode, bool newton) {
   start_where_it_rests(step, island);
   if (CentredForces centred(step); newton && centred.may_hold(island, mode)) {
-    if (centred.hold(island)) return Found::by_newton;
+    const Held held = centred.hold(island);
+    if (held == Held::yes) return Found::by_newton;
+    step.must_move = step.must_move || held == Held::no;
     begin_anew(step, island);
   }
+  if (mode.stays) return Found::nothing;
   if (newton && find_by_newton(step, island, mode)) return Found::by_newton;
   if (newton && mode.pivots && Pivoting(step).find(island, mode)) return Found::by_newton;
   return may_sweep(step, mode) ? SweptEquilibrium(step).find(island, mode) : Found::nothing;

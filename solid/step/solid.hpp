@@ -35,6 +35,10 @@ class Solid {
   /// The same under constant water pressure; the velocities are the present ones of the blocks.
   void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 
+  /// Is it proved that the blocks cannot rest where they are, under this water and the loads of that time? Only of many
+  /// rigid ones in static analyses.
+  bool must_move(double at_s, const std::vector<Panel>& water) { return rest_.must_move(water, at_s); }
+
   /// Frequently used parts of the model and the state have functions of their own.
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }

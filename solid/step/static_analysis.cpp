@@ -59,6 +59,13 @@ bool StaticAnalysis::lead_supports(const std::vector<Panel>& water, double at_s)
   return true;
 }
 
+bool StaticAnalysis::must_move(const std::vector<Panel>& water, double at_s) {
+  state_.stop();
+  step_.must_move = false;
+  time_step_.attempt({model_.pseudo_step_s(), at_s, water}, {.scheme = {.damps = false}, .stays = true});
+  return step_.must_move;
+}
+
 void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s, int most_steps) {
   if (!lead_supports(water, at_s)) return;
   find_rest(water, at_s, {most_steps, model_.scene.analysis.residual_tolerance});

@@ -16,6 +16,9 @@ class StaticAnalysis : StepPart {
 
   /// Steps under the loads of that time, once supports stand where they do then; the result is in the state.
   void come_to_rest(const std::vector<Panel>& water, double at_s, int most_steps = 1000);
+  /// Is it proved that no admissible forces hold the blocks where they are? Only of many rigid ones
+  /// (step/centred_forces).
+  bool must_move(const std::vector<Panel>& water, double at_s);
   /// Unbalanced force of the last step over the weight. Velocities are reset at every step, so that inertia equals the
   /// unbalanced force.
   [[nodiscard]] double unbalanced_ratio() const;

@@ -23,6 +23,7 @@ struct StepMode {
   bool friction_lags = false;  ///< bounds of shear follow the normal forces with a delay
   bool pivots = false;         ///< for small islands at rest whose states cycle
   bool sweeps = false;         ///< while settling, if all else has failed
+  bool stays = false;          ///< accepts no motion: asks whether forces hold many rigid blocks where they are
   bool roughly = false;        ///< accepts sweeps whatever their error
 
   /// Transient states, not a search for equilibrium.

@@ -26,6 +26,7 @@ struct StepWorkspace {
   std::unique_ptr<Formulation> substitute;   ///< for steps that fail with Lagrange multipliers
   Counts counts;
   Profile profile;
+  bool must_move = false;           ///< proved of an island: no admissible forces hold it where the step began
   std::function<void()> meanwhile;  ///< where somebody waits
 
   /// At the start of each attempt at a step, after each solution of a linear system, and between sweeps and pushes: a
