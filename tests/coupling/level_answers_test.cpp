@@ -117,7 +117,8 @@ TEST_F(Answers, ALevelOfASceneWithoutWaterSaysWhatItAssumes) {
 }
 
 TEST_F(Answers, AStopTellsWhatWasKnownByThen) {
-  const pid_t level = start(programs + "/blockweir level " + cases + "jointed-dam-falls --quiet --out o", "log");
+  const std::string fine = " --set joint_set.bedding.spacing_m=1 --set \"joint_set.cross joint.spacing_m=1\"";
+  const pid_t level = start(programs + "/blockweir level " + cases + "jointed-dam-falls --quiet --out o" + fine, "log");
   for (int wait = 0; wait < 30'000 && text("o/limit.log").find("linear systems solved") == std::string::npos; ++wait)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   kill(level, SIGINT);

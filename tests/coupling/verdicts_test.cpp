@@ -38,7 +38,7 @@ TEST_F(Verdicts, AQuasiStaticRunEndsInFailureAndSaysWhatFollowsTheFall) {
   const nlohmann::json summary = run(R"(
 analysis = { kind = "quasi-static", duration_s = 5, rigid = "all" }
 joint = { friction_angle_deg = 32 }
-water = { upstream_level_m = 8.37 }
+water = { upstream_level_m = 8.42 }
 material.brick = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2200 }
 [[block]]
 name = "rock"
