@@ -28,7 +28,7 @@ double typical_omega(const solid::Solid& blocks) {
   for (const solid::Block& block : blocks.blocks()) {
     if (!block.fixed && block.area > 0) lightest = std::min(lightest, block.mass_per_m() / block.area);
   }
-  return std::sqrt(solid::largest_modulus(blocks) / lightest) / blocks.size_m();
+  return std::sqrt(solid::largest_modulus(blocks) / lightest) / blocks.model().size_m;
 }
 
 /// Outlines of what moves, each point with its displacement.

@@ -53,7 +53,7 @@ std::string schedule_stability(const scene::Scene& scene, const std::string& sub
 /// What holds of every fall, whatever its path.
 std::string invariants(const Outcome& o, const std::string& /*subject*/) {
   constexpr double most_energy = 1e-5;  // made, of what the run had, or a fall by the model's size has
-  const double fall_j = o.solid.model().weight_n_per_m * o.solid.size_m();
+  const double fall_j = o.solid.model().weight_n_per_m * o.solid.model().size_m;
   if (!(o.energy.gain() <= most_energy || o.energy.made_j_per_m() <= most_energy * fall_j)) return "energy made";
   const double corners_pass_m = o.solid.model().give_under_weight_m;
   if (!(o.deepest_m() <= o.most_penetration_m() + corners_pass_m)) return "in each other";

@@ -39,7 +39,7 @@ struct Outcome {
   std::optional<Breach> breach{};
 
   /// Into each other by more, blocks are somewhere else than they could be.
-  [[nodiscard]] double most_penetration_m() const { return 1e-4 * solid.size_m(); }
+  [[nodiscard]] double most_penetration_m() const { return 1e-4 * solid.model().size_m; }
   /// Of closed contacts, or of blocks as a step ended [m].
   [[nodiscard]] double deepest_m() const { return std::max(largest_penetration_m, solid.counts().overlap_m); }
 };

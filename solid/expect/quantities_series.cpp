@@ -73,7 +73,7 @@ std::complex<double> dominant_root(const Outcome& o, const std::string& subject)
   const std::span<const Sample> course = equally_spaced(course_of(o, subject));
   if (course.size() < 8) throw NoFigure("no oscillation: the run has fewer than 8 steps");
   Eigen::VectorXd u = signal_of(course);
-  if (u.maxCoeff() - u.minCoeff() <= still * o.solid.size_m())
+  if (u.maxCoeff() - u.minCoeff() <= still * o.solid.model().size_m)
     throw NoFigure("no oscillation: the block does not move");
   u.array() -= u.mean();
   u /= u.cwiseAbs().maxCoeff();

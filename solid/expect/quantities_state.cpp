@@ -26,7 +26,8 @@ double displacement(const Outcome& o, const std::string& subject) {
 
 double acceleration(const Outcome& o, const std::string& subject) {
   constexpr double still = 1e-9;  // of the model
-  if (displacement(o, subject) <= still * o.solid.size_m()) throw NoFigure("no motion: the block stays where it is");
+  if (displacement(o, subject) <= still * o.solid.model().size_m)
+    throw NoFigure("no motion: the block stays where it is");
   return o.acceleration.of(block_index(o.solid, subject));
 }
 

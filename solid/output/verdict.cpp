@@ -82,7 +82,7 @@ json failure(const expect::Outcome& o) {
   if (o.solid.scene().analysis.kind == scene::AnalysisKind::dynamic && o.failure.rests_again()) {
     constexpr double small_ratio = 0.05;  // of the structure: what moves farther has fallen
     const double farthest_m = o.failure.farthest_failed_m();
-    const bool is_small = farthest_m <= small_ratio * o.solid.size_m();
+    const bool is_small = farthest_m <= small_ratio * o.solid.model().size_m;
     text += fmt::format(
         "{}the blocks that failed came to rest again before the run ended, at most {:.3g} m from where they were "
         "drawn{}",
@@ -91,7 +91,7 @@ json failure(const expect::Outcome& o) {
   }
   constexpr double far_ratio = 10;  // of the structure
   if (const double farthest_m = o.failure.farthest_failed_m(counted_until_s(o));
-      farthest_m > far_ratio * o.solid.size_m() && have_left(o)) {
+      farthest_m > far_ratio * o.solid.model().size_m && have_left(o)) {
     text += fmt::format(
         "{}blocks that failed have left the model, and were {:.3g} m from where they were drawn when the run ended: "
         "stop_at_failure = true, or a shorter duration_s, ends it sooner",
@@ -129,7 +129,7 @@ std::string transient_text(const expect::Outcome& o) {
   const auto& now = o.margins.sliding_now();
   const scene::Scene& scene = o.solid.scene();
   if (!lowest || !now || scene.base_motion || scene.analysis.kind == scene::AnalysisKind::at_rest) return {};
-  const bool level_changed = std::abs(now->level_m - lowest->level_m) > same_level * 2 * o.solid.size_m();
+  const bool level_changed = std::abs(now->level_m - lowest->level_m) > same_level * 2 * o.solid.model().size_m;
   if (level_changed || now->value < (1 + seen) * lowest->value) return {};
   return fmt::format(
       "; under the same level it is {:.4g} at the end: the lowest is that of an oscillation, as after the start; with "
@@ -184,7 +184,7 @@ json margin(const expect::Outcome& o) {
   constexpr double of_failure = 0.1;  // what strains slips by less
   constexpr double of_size = 1e-3;    // seen also where a failure is stated to be more
   const double seen_m =
-      std::min(of_failure * o.solid.scene().analysis.failure_displacement_m, of_size * o.solid.size_m());
+      std::min(of_failure * o.solid.scene().analysis.failure_displacement_m, of_size * o.solid.model().size_m);
   if (slipped != nullptr && std::abs(slipped->slip_m) > seen_m) {
     const std::string joint = joint_name(o.solid, slipped->vertex_block, slipped->edge_block);
     found["slip_m"] = std::abs(slipped->slip_m);
@@ -204,7 +204,7 @@ void add_levels_not_reached(const expect::Outcome& o, json& text) {
     constexpr double far = 1e-3;  // of the structure
     if (!table || std::isnan(acted_m)) return;
     const double end_m = table->at(scene.analysis.duration_s);
-    if (std::abs(end_m - acted_m) <= far * 2 * o.solid.size_m()) return;
+    if (std::abs(end_m - acted_m) <= far * 2 * o.solid.model().size_m) return;
     text["last_levels_acted"] = false;
     text["warnings"].push_back(
         fmt::format("the run ends before the last {} level, {:.6g} m, has acted: the last window used {:.6g} m; "

@@ -50,8 +50,6 @@ class Solid {
   [[nodiscard]] std::size_t described() const { return model_.described(); }  ///< number of the scene's blocks
   [[nodiscard]] const JointLaws& laws() const { return model_.laws; }
   [[nodiscard]] const BaseMotion& base() const { return model_.base; }
-  /// Half the height of the moving blocks, but at least half their width.
-  [[nodiscard]] double size_m() const { return model_.size_m; }
 
   [[nodiscard]] const std::vector<BlockState>& states() const { return state_.blocks; }
   [[nodiscard]] const std::vector<Placement>& placements() const { return state_.placements; }

@@ -48,7 +48,7 @@ Resultant resultant(const Solid& solid, const std::vector<const ContactPoint*>& 
     const Point to = solid.state().place(*c) - about;
     if (to.norm() > along.norm()) along = to;
   }
-  if (along.norm() <= 1e-6 * solid.size_m()) return {};
+  if (along.norm() <= 1e-6 * solid.model().size_m) return {};
   along.normalize();
   double low = 0;
   double high = 0;

@@ -55,8 +55,8 @@ FailedJoint failed_joint(const Solid& solid, const MovingBody& body, const PairM
   double whole = 0;
   for (const auto& [inside, outside] : body.left) {
     const double normal = std::max(0.0, pairs.at(std::minmax(inside, outside)).normal);
-    left.push_back(
-        {inside, outside, normal, scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.size_m())});
+    left.push_back({inside, outside, normal,
+                    scene::trace_joint(blocks[at(inside)], blocks[at(outside)], 1e-6 * solid.model().size_m)});
     whole += normal;
   }
   const bool slides = !turns && whole > 0;

@@ -12,17 +12,21 @@
 #include "bridge/scene/loose_blocks.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/watch/energy_debt.hpp"
-#include "solid/watch/failed_joint.hpp"
-#include "solid/watch/failure_mode.hpp"
 #include "solid/watch/mobility.hpp"
-#include "solid/watch/moving_body.hpp"
 #include "solid/watch/oscillations.hpp"
 
 namespace blockweir::solid {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int a_spell = 10;  ///< evaluations after which what strains counts as at rest: what slides sticks at times
+
+/// Something pushes the block that nothing balances.
+bool sets_out(const Solid& solid, std::size_t b) {
+  constexpr double earth = 9.81;  // without gravity loads are held against it, as lengths and speeds are
+  const double gravity = solid.scene().analysis.gravity_m_per_s2;
+  const double begins = 1e-4 * (gravity > 0 ? gravity : earth);
+  return solid.states()[b].acceleration.head<2>().norm() >= begins;
+}
 
 }  // namespace
 
@@ -30,6 +34,8 @@ FailureWatch::FailureWatch(const Solid& solid)
     : solid_(solid),
       watched_(solid.described()),
       stands_(watched_.size(), true),
+      slipped_(watched_.size()),
+      slips_(solid),
       unknown_(watched_.size()),
       guided_(watched_.size()),
       crumbs_(scene::crumbs(solid.scene().blocks)),
@@ -75,14 +81,6 @@ double FailureWatch::travel(std::size_t b) const {
   return farthest;
 }
 
-/// Something pushes it that nothing balances.
-bool FailureWatch::sets_out(std::size_t b) const {
-  constexpr double earth = 9.81;  // without gravity loads are held against it, as lengths and speeds are
-  const double gravity = solid_.scene().analysis.gravity_m_per_s2;
-  const double begins = 1e-4 * (gravity > 0 ? gravity : earth);
-  return solid_.states()[b].acceleration.head<2>().norm() >= begins;
-}
-
 /// One of many blocks whose contacts slip a little as the load grows, and seem to let a motion: it has not begun while
 /// the block has not come far, at no more than twice the speed at which it strained when it last stood.
 bool FailureWatch::creeps(std::size_t b) const {
@@ -101,7 +99,7 @@ void FailureWatch::judge() {
   bool at_rest = true;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const double fastest = solid_.blocks()[b].fixed ? 0 : speed(b);
-    moves[b] = fastest > rest || (owes[b] && sets_out(b));
+    moves[b] = fastest > rest || (owes[b] && sets_out(solid_, b));
     any_moves = any_moves || (moves[b] && !watched_[b].failed && !guided_[b]);
     at_rest = at_rest && fastest <= straining * rest;
   }
@@ -115,10 +113,19 @@ void FailureWatch::judge() {
   }
   const Mobility can_move = mobility(solid_, moves);
   unknown_ = can_move.unknown;
+  if (!solid_.scene().base_motion) slipped_ = slips_.largest();  // what is shaken slips time and again
   for (std::size_t b = 0; b < moves.size(); ++b) {
-    stands_[b] = stands_[b] || can_move.only_strains[b];
+    // Contacts of a mechanism that strains as it goes seem to hold it.
+    stands_[b] =
+        stands_[b] || (can_move.only_strains[b] && slipped_[b] <= solid_.scene().analysis.failure_displacement_m);
     at_rest_ = at_rest_ && stands_[b];
   }
+}
+
+/// It has had no rigid motion for long, and has slipped no farther than strain makes it slip.
+bool FailureWatch::strains(std::size_t b) const {
+  constexpr double strained = 0.2;  // of a failure
+  return watched_[b].stood == a_spell && slipped_[b] <= strained * solid_.scene().analysis.failure_displacement_m;
 }
 
 void FailureWatch::look(double time_s, const Levels& levels) {
@@ -133,7 +140,8 @@ void FailureWatch::look(double time_s, const Levels& levels) {
     Point velocity = Point::Zero();
     if (passed_s > 0) velocity = ((displacement - block.seen).head<2>() - base_moved) / passed_s;
     block.stood = !begun_ ? stood_at_start : !stands_[b] ? 0 : std::min(block.stood + 1, a_spell);
-    if (!begun_ || slow_[b] || block.stood == a_spell) {
+    if (slow_[b]) slips_.rests(b);
+    if (!begun_ || slow_[b] || strains(b)) {
       block.sets_out_later(time_s, levels);
       block.displacement = displacement;
       block.acceleration.setZero();
@@ -220,77 +228,16 @@ std::optional<Moving> FailureWatch::moving() const {
   std::optional<Moving> fastest;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     const Watched& block = watched_[b];
-    if (!free[b] || block.failed || (!slow_[b] && block.stood == a_spell)) continue;
+    if (!free[b] || block.failed || (!slow_[b] && strains(b))) continue;
     // A slow one may have begun to move, also where what it owes of energy makes it count as moving.
     const double fast = speed(b);
-    if (fast <= solid_.scene().analysis.rest_speed_m_per_s && (held[b] || !sets_out(b))) continue;
+    if (fast <= solid_.scene().analysis.rest_speed_m_per_s && (held[b] || !sets_out(solid_, b))) continue;
     const auto key = [&](std::size_t other, double v) { return std::pair(!crumbs_[other], v); };
     if (!fastest || key(b, fast) > key(at(fastest->block), fastest->speed_m_per_s)) {
       fastest = {static_cast<int>(b), fast, travel(b)};
     }
   }
   return fastest;
-}
-
-/// No water reaches anything that can move: the level has nothing to do with a failure.
-bool FailureWatch::all_is_dry(double level_m) const {
-  for (std::size_t b = 0; b < watched_.size(); ++b) {
-    if (solid_.blocks()[b].fixed) continue;
-    const Placement then(solid_.blocks()[b].centroid, watched_[b].displacement);
-    for (const Point& X : solid_.blocks()[b].vertices) {
-      if (then.position(X).y() < level_m) return false;
-    }
-  }
-  return true;
-}
-
-bool FailureWatch::changing_pool(const Watched& last) const {
-  if (last.next_s < 0) return last.levels.reversed();
-  const auto changes = [&](bool downstream) {
-    const double level_m = last.levels.of(downstream);
-    return std::abs(last.next.of(downstream) - level_m) > 0 && !all_is_dry(level_m);
-  };
-  return changes(false) == changes(true) ? last.levels.reversed() : changes(true);
-}
-
-Failure FailureWatch::describe(std::size_t b) const {
-  std::vector<Vector6> displacement;
-  std::vector<double> times;
-  for (const Watched& block : watched_) {
-    displacement.push_back(block.displacement);
-    times.push_back(block.time_s);
-  }
-  const MovedSince moved(solid_, displacement, times);
-  const PairMotions pairs = pair_motions(moved);
-  const MovingBody body = moving_body(moved, pairs, stands_, static_cast<int>(b));
-  const Mode mode = mode_of(moved, body, pairs);
-  const Watched& last = watched_[b];
-  const bool in_time = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest;
-  const bool downstream = changing_pool(last);
-  Failure failure{.blocks = body.blocks,
-                  .time_s = in_time ? last.time_s : solid_.scene().analysis.duration_s,
-                  .level_m = last.levels.of(downstream),
-                  .downstream = downstream,
-                  .falls = last.next_s >= 0 && last.next.of(downstream) < last.levels.of(downstream),
-                  .head_m = nan,
-                  .bound = !in_time || last.time_s == 0 || loads_stay_,
-                  .level_uncertainty_m = nan,
-                  .window_rise_m = nan,
-                  .travel_m = travel(b),
-                  .mode = mode.up ? "lifting" : "falling"};
-  if (all_is_dry(failure.level_m)) failure.level_m = nan;
-  const FailedJoint joint = failed_joint(solid_, body, pairs, mode.turns, last.levels.reversed());
-  if (joint.name.empty()) {
-    if (failure.bound && !mode.up) failure.level_m = nan;  // nothing has ever held it, whatever the level
-    return failure;
-  }
-  failure.joint = joint.name;
-  failure.turns_on = joint.turns_on;
-  failure.mode = mode.word();
-  if (!joint.line) return failure;
-  failure.head_m = failure.level_m - (downstream ? joint.line->to : joint.line->from).y();
-  if (!failure.bound && !scene::level_is_constant(solid_.scene(), downstream)) add_uncertainty(last, failure);
-  return failure;
 }
 
 }  // namespace blockweir::solid

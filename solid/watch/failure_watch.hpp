@@ -11,6 +11,7 @@
 
 #include "bridge/scene/joint_trace.hpp"
 #include "solid/step/solid.hpp"
+#include "solid/watch/slips_since_rest.hpp"
 
 namespace blockweir::solid {
 
@@ -101,7 +102,7 @@ class FailureWatch {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(watched_, slow_, stands_, at_rest_, begun_, seen_s_, failures_);
+    archive(watched_, slow_, stands_, slipped_, slips_, at_rest_, begun_, seen_s_, failures_);
   }
 
  private:
@@ -146,7 +147,7 @@ class FailureWatch {
   [[nodiscard]] bool is_loose(std::size_t block) const;
   [[nodiscard]] double speed(std::size_t block) const;
   [[nodiscard]] double travel(std::size_t block) const;
-  [[nodiscard]] bool sets_out(std::size_t block) const;
+  [[nodiscard]] bool strains(std::size_t block) const;
   [[nodiscard]] bool creeps(std::size_t block) const;
   [[nodiscard]] bool all_is_dry(double level_m) const;
   /// Whether the downstream pool's level counts for a body that was last at rest at `last`: if only that level changed
@@ -157,8 +158,10 @@ class FailureWatch {
 
   const Solid& solid_;
   std::vector<Watched> watched_;
-  std::vector<bool> slow_;     ///< at the last evaluation
-  std::vector<bool> stands_;   ///< slow, or without a possible rigid motion
+  std::vector<bool> slow_;       ///< at the last evaluation
+  std::vector<bool> stands_;     ///< slow, or without a possible rigid motion
+  std::vector<double> slipped_;  ///< since each block was at rest, at the last evaluation [m]
+  SlipsSinceRest slips_;
   std::vector<bool> unknown_;  ///< whether it has one was not checked, at the last evaluation
   bool at_rest_ = true;
   bool begun_ = false;

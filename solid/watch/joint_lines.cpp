@@ -41,7 +41,7 @@ std::optional<Line> line_through(const std::vector<Point>& points, const Point& 
 }  // namespace
 
 JointPoints joint_points(const Solid& solid) {
-  const double touching_m = scene::rounding_ratio * solid.size_m();
+  const double touching_m = scene::rounding_ratio * solid.model().size_m;
   JointPoints points;
   for (const ContactPoint& c : solid.contacts()) {
     const Point vertex = solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at;
@@ -54,17 +54,17 @@ JointPoints joint_points(const Solid& solid) {
 }
 
 bool is_point(const Solid& solid, const std::vector<Point>& points) {
-  const double tolerance_m = straight * solid.size_m();
+  const double tolerance_m = straight * solid.model().size_m;
   return std::all_of(points.begin(), points.end(),
                      [&](const Point& p) { return (p - points.front()).norm() <= tolerance_m; });
 }
 
 bool is_straight(const Solid& solid, const std::vector<Point>& points) {
-  return line_through(points, Point::Zero(), straight * solid.size_m()).has_value();
+  return line_through(points, Point::Zero(), straight * solid.model().size_m).has_value();
 }
 
 std::vector<std::set<Pair>> in_one_line(const Solid& solid, const JointPoints& points) {
-  const double tolerance_m = straight * solid.size_m();
+  const double tolerance_m = straight * solid.model().size_m;
   constexpr double parallel = 1e-4;  // rad
   std::vector<std::pair<Line, Pair>> lines;
   const Point about = points.empty() ? Point::Zero() : points.begin()->second.front();

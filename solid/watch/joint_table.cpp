@@ -17,7 +17,7 @@ namespace {
 /// Of a surface, along it: from end to end, but for galleries and other voids.
 std::vector<FaceStretch> faces_of(const Solid& solid, const std::set<std::pair<int, int>>& joint, const JointRow& row) {
   constexpr double rounded = 1e-4;  // of the structure's size: faces so near touch
-  const double near_m = rounded * solid.size_m();
+  const double near_m = rounded * solid.model().size_m;
   std::vector<FaceStretch> faces;
   const Point along = (row.downstream_end_m - row.upstream_end_m).normalized();
   for (const auto& [i, j] : joint) {
@@ -66,7 +66,8 @@ std::vector<double> uplifts(const Solid& solid, const Surfaces& surfaces, const 
     const Point& a = outline[water.edge[i]];
     const Point span = outline[(water.edge[i] + 1) % outline.size()] - a;
     const Point middle = a + (water.s_from[i] + water.s_to[i]) / 2 * span;
-    const auto pair = pair_of(solid.scene(), touching, static_cast<int>(water.block[i]), middle, 1e-6 * solid.size_m());
+    const auto pair =
+        pair_of(solid.scene(), touching, static_cast<int>(water.block[i]), middle, 1e-6 * solid.model().size_m);
     if (!pair) continue;
     const Point force = (water.pressure_from_pa[i] + water.pressure_to_pa[i]) / 2 * (water.s_to[i] - water.s_from[i]) *
                         perpendicular(span);
@@ -120,7 +121,7 @@ std::vector<JointRow> joint_table(const Solid& solid, const wire::Load& water, c
     }
     rows.push_back(std::move(row));
   }
-  sort_downwards(rows, solid.size_m());
+  sort_downwards(rows, solid.model().size_m);
   return rows;
 }
 
@@ -152,7 +153,7 @@ std::vector<JointRow> loads_on_joints(const Solid& solid, const wire::Load& wate
     row.sums = force_sums(solid, water, parts, joints[i], row.downstream_end_m);
     if (!row.sums.empty()) rows.push_back(std::move(row));
   }
-  sort_downwards(rows, solid.size_m());
+  sort_downwards(rows, solid.model().size_m);
   return rows;
 }
 

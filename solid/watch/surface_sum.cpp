@@ -27,7 +27,7 @@ std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surface
     if (c.state == ContactState::open && !c.has_touched()) continue;  // beside the joint
     for (const int surface : surfaces.of(c.pair())) sums[at(surface)].reach(solid.state().place(c));
   }
-  const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.size_m(); };
+  const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.model().size_m; };
   for (const ContactPoint& c : solid.contacts()) {
     for (const int surface : surfaces.of(c.pair())) {
       SurfaceSum& sum = sums[at(surface)];

@@ -54,7 +54,7 @@ TEST(Large, ContactsThatAreNotSearchedAgainAreThoseThatASearchWouldFind) {
   EXPECT_GE(solid.counts().skipped_searches, 8);
   std::vector<ContactPoint> found = solid.contacts();
   const double reach = 0.05;  // of a block, as the solid's own
-  ContactSearch(solid.parts(), solid.laws(), solid.size_m(), reach, reach).update(solid.placements(), found);
+  ContactSearch(solid.parts(), solid.laws(), solid.model().size_m, reach, reach).update(solid.placements(), found);
   ASSERT_EQ(found.size(), solid.contacts().size());
   for (std::size_t k = 0; k < found.size(); ++k) {
     const ContactPoint& kept = solid.contacts()[k];
