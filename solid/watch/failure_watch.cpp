@@ -28,6 +28,11 @@ bool sets_out(const Solid& solid, std::size_t b) {
   return solid.states()[b].acceleration.head<2>().norm() >= begins;
 }
 
+/// A way that joints slip by strain alone only where corners give as much under the weight.
+double far_by_slip_m(const Solid& solid) {
+  return std::max(solid.scene().analysis.failure_displacement_m, solid.model().give_under_weight_m);
+}
+
 }  // namespace
 
 FailureWatch::FailureWatch(const Solid& solid)
@@ -116,8 +121,7 @@ void FailureWatch::judge() {
   if (!solid_.scene().base_motion) slipped_ = slips_.largest();  // what is shaken slips time and again
   for (std::size_t b = 0; b < moves.size(); ++b) {
     // Contacts of a mechanism that strains as it goes seem to hold it.
-    stands_[b] =
-        stands_[b] || (can_move.only_strains[b] && slipped_[b] <= solid_.scene().analysis.failure_displacement_m);
+    stands_[b] = stands_[b] || (can_move.only_strains[b] && slipped_[b] <= far_by_slip_m(solid_));
     at_rest_ = at_rest_ && stands_[b];
   }
 }
@@ -125,7 +129,7 @@ void FailureWatch::judge() {
 /// It has had no rigid motion for long, and has slipped no farther than strain makes it slip.
 bool FailureWatch::strains(std::size_t b) const {
   constexpr double strained = 0.2;  // of a failure
-  return watched_[b].stood == a_spell && slipped_[b] <= strained * solid_.scene().analysis.failure_displacement_m;
+  return watched_[b].stood == a_spell && slipped_[b] <= strained * far_by_slip_m(solid_);
 }
 
 void FailureWatch::look(double time_s, const Levels& levels) {
