@@ -118,7 +118,8 @@ void FailureWatch::judge() {
   }
   const Mobility can_move = mobility(solid_, moves);
   unknown_ = can_move.unknown;
-  if (!solid_.scene().base_motion) slipped_ = slips_.largest();  // what is shaken slips time and again
+  // What is shaken slips time and again, and what bolts hold as far as they stretch.
+  if (!solid_.scene().base_motion && solid_.bolts().empty()) slipped_ = slips_.largest();
   for (std::size_t b = 0; b < moves.size(); ++b) {
     // Contacts of a mechanism that strains as it goes seem to hold it.
     stands_[b] = stands_[b] || (can_move.only_strains[b] && slipped_[b] <= far_by_slip_m(solid_));
