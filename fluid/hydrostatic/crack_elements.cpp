@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/at.hpp"
 #include "bridge/wire/panels.hpp"
 
 namespace blockweir::hydrostatic {
@@ -51,10 +53,29 @@ std::vector<double> element_ends(double from_m, double length_m, const joints::P
   return shares;
 }
 
+/// Is no place of one face within a tenth of the piece's length of the other?
+bool faces_are_apart(const scene::CrackPart& part, const scene::TracePiece& piece,
+                     const std::vector<std::vector<Point>>& outlines) {
+  constexpr double far = 0.1;
+  const auto place = [&](int block, int edge, double s) -> Point {
+    const std::vector<Point>& outline = outlines[at(block)];
+    return outline[at(edge)] + s * (outline[(at(edge) + 1) % outline.size()] - outline[at(edge)]);
+  };
+  const Point a[] = {place(part.block_a, piece.edge_a, piece.s_from_a),
+                     place(part.block_a, piece.edge_a, piece.s_to_a)};
+  const Point b[] = {place(part.block_b, piece.edge_b, piece.s_from_b),
+                     place(part.block_b, piece.edge_b, piece.s_to_b)};
+  const double least_m =
+      std::min({geometry::distance_to_segment(a[0], b[0], b[1]), geometry::distance_to_segment(a[1], b[0], b[1]),
+                geometry::distance_to_segment(b[0], a[0], a[1]), geometry::distance_to_segment(b[1], a[0], a[1])});
+  return least_m > far * (piece.to_m - piece.from_m).norm();
+}
+
 }  // namespace
 
 void add_crack_elements(const scene::Crack& crack, const joints::Profile& profile, int elements_per_face,
-                        const std::vector<WetInterval>& open_water, wire::Load& load) {
+                        const std::vector<std::vector<Point>>& outlines, const std::vector<WetInterval>& open_water,
+                        wire::Load& load) {
   double travelled = 0;
   for (const scene::CrackPart& part : crack.parts) {
     for (const scene::TracePiece& piece : part.trace.pieces) {
@@ -70,8 +91,10 @@ void add_crack_elements(const scene::Crack& crack, const joints::Profile& profil
           add_closed_part(block, edge, a.s <= b.s ? a : b, a.s <= b.s ? b : a, open_water, load);
         }
       };
-      face(part.block_a, piece.edge_a, piece.s_from_a, piece.s_to_a);
-      face(part.block_b, piece.edge_b, piece.s_from_b, piece.s_to_b);
+      if (!faces_are_apart(part, piece, outlines)) {
+        face(part.block_a, piece.edge_a, piece.s_from_a, piece.s_to_a);
+        face(part.block_b, piece.edge_b, piece.s_from_b, piece.s_to_b);
+      }
       travelled += length;
     }
   }

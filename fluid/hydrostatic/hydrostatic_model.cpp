@@ -288,7 +288,8 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
     const std::size_t first = load.block.size();
     const bool empties = to_s < shaking_ends_s_;
     add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint),
-                       empties ? elements_drawn(scene_.water) : scene_.water.elements_per_face, open_water, load);
+                       empties ? elements_drawn(scene_.water) : scene_.water.elements_per_face, structure_.outlines,
+                       open_water, load);
     if (empties) empty_open_panels(scene_, crack, centroids_, last_motion_, first, load);
   }
 }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 #include "tests/unit/rubble.hpp"
@@ -45,6 +47,37 @@ TEST(Cracks, AreTheSameFarFromTheOrigin) {
   for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i].length_m, here[i].length_m, 1e-6) << i;
 }
 
+std::vector<std::vector<Point>> outlines_of(const scene::Scene& scene) {
+  std::vector<std::vector<Point>> outlines;
+  for (const scene::Block& block : scene.blocks) outlines.push_back(block.vertices);
+  return outlines;
+}
+
+/// A block that had left its joint kept the joint's pressure in flight, and was driven along on dry ground.
+TEST(Cracks, HaveNoWaterWhereTheirFacesHaveLeftEachOther) {
+  scene::Scene scene;
+  scene.blocks.emplace_back().vertices = {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
+  scene.blocks.emplace_back().vertices = {{0, 0}, {4, 0}, {4, 5}, {0, 5}};
+  scene.default_joint.uplift = scene::Uplift::full;
+  const std::vector<Crack> cracks = find_cracks(scene);
+  ASSERT_EQ(cracks.size(), 1U);
+  const joints::Joint joint{.mouth = {3e4, 0}, .end = {0, 0}, .length_m = 4};
+  const auto panels = [&](const Point& moved, double turn) {
+    std::vector<std::vector<Point>> outlines = outlines_of(scene);
+    const Point toe(4, 0);
+    for (Point& p : outlines[1]) p = toe + Eigen::Rotation2Dd(turn) * (p - toe) + moved;
+    wire::Load load;
+    add_crack_elements(cracks.front(), joints::uplift(scene::Uplift::full, {}, joint), 1, outlines, {}, load);
+    return load.block.size();
+  };
+  EXPECT_EQ(panels({0, 0}, 0), 2U);
+  EXPECT_EQ(panels({0, 0.39}, 0), 2U) << "less than a tenth of the joint";
+  EXPECT_EQ(panels({0, 0.41}, 0), 0U);
+  EXPECT_EQ(panels({3, 0}, 0), 2U) << "it slides";
+  EXPECT_EQ(panels({0, 0}, -0.5), 2U) << "it turns about its toe";
+  EXPECT_EQ(panels({20, 3}, -0.5), 0U);
+}
+
 TEST(Cracks, FullUpliftHasTheHigherPressureOfBothEnds) {
   scene::Scene scene;
   scene.blocks.emplace_back().vertices = {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
@@ -55,7 +88,7 @@ TEST(Cracks, FullUpliftHasTheHigherPressureOfBothEnds) {
   for (const auto& [mouth_pa, end_pa] : {std::pair{3e4, 1e4}, std::pair{1e4, 3e4}, std::pair{0.0, 3e4}}) {
     wire::Load load;
     const joints::Joint joint{.mouth = {mouth_pa, 0}, .end = {end_pa, 0}, .length_m = 4};
-    add_crack_elements(cracks.front(), joints::uplift(scene::Uplift::full, {}, joint), 1, {}, load);
+    add_crack_elements(cracks.front(), joints::uplift(scene::Uplift::full, {}, joint), 1, outlines_of(scene), {}, load);
     ASSERT_EQ(load.block.size(), 2U);
     for (std::size_t i = 0; i < 2; ++i) {
       EXPECT_EQ(load.pressure_from_pa[i], 3e4);
