@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/read/check.hpp"
 
@@ -40,15 +41,17 @@ std::optional<Line> line_through(const std::vector<Point>& points, const Point& 
 
 }  // namespace
 
+bool lies_on_joint(const Solid& solid, const ContactPoint& c) {
+  const auto drawn = [&](int part, const Point& X) -> Point { return solid.blocks()[at(part)].centroid + X; };
+  return geometry::distance_to_segment(drawn(c.vertex_part, c.vertex_at), drawn(c.edge_part, c.edge_from),
+                                       drawn(c.edge_part, c.edge_to)) <= scene::rounding_ratio * solid.model().size_m;
+}
+
 JointPoints joint_points(const Solid& solid) {
-  const double touching_m = scene::rounding_ratio * solid.model().size_m;
   JointPoints points;
   for (const ContactPoint& c : solid.contacts()) {
-    const Point vertex = solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at;
-    const Point from = solid.blocks()[at(c.edge_part)].centroid + c.edge_from;
-    const Point along = c.edge_to - c.edge_from;
-    const double share = std::clamp(along.dot(vertex - from) / along.squaredNorm(), 0.0, 1.0);
-    if ((from + share * along - vertex).norm() <= touching_m) points[c.pair()].push_back(vertex);
+    if (!lies_on_joint(solid, c)) continue;
+    points[c.pair()].push_back(solid.blocks()[at(c.vertex_part)].centroid + c.vertex_at);
   }
   return points;
 }

@@ -15,6 +15,8 @@ namespace blockweir::solid {
 using BlockPair = std::pair<int, int>;
 using JointPoints = std::map<BlockPair, std::vector<Point>>;
 
+/// Does a contact's vertex lie on its edge in the scene as drawn?
+bool lies_on_joint(const Solid& solid, const ContactPoint& c);
 /// Outline points of each joint: vertices that lie on an edge of the other block there, whether they press on it now or
 /// not.
 JointPoints joint_points(const Solid& solid);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solid/watch/surface_sum.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "bridge/scene/at.hpp"
-#include "bridge/scene/read/check.hpp"
+#include "solid/watch/joint_lines.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -21,25 +20,13 @@ std::pair<Point, Point> force_on_side(const Solid& solid, const ContactPoint& c,
   return side.dot(between) > 0 ? std::pair(on_vertex, pushed) : std::pair<Point, Point>(-on_vertex, -pushed);
 }
 
-/// Does the vertex lie on the edge in the scene as drawn? What has never pressed since is a crack of the joint then.
-bool lies_on_joint(const Solid& solid, const ContactPoint& c) {
-  const auto drawn = [&](int part, const Point& X) -> Point { return solid.blocks()[at(part)].centroid + X; };
-  const Point from = drawn(c.edge_part, c.edge_from);
-  const Point to = drawn(c.edge_part, c.edge_to);
-  const Point t = (to - from).normalized();
-  const Point vertex = drawn(c.vertex_part, c.vertex_at) - from;
-  const double near_m = scene::rounding_ratio * solid.model().size_m;
-  const double along = t.dot(vertex);
-  return std::abs(t.x() * vertex.y() - t.y() * vertex.x()) <= near_m && along >= -near_m &&
-         along <= (to - from).norm() + near_m;
-}
-
 }  // namespace
 
 std::vector<SurfaceSum> surface_sums(const Solid& solid, const Surfaces& surfaces) {
   std::vector<SurfaceSum> sums(surfaces.names().size());
   for (const ContactPoint& c : solid.contacts()) {
-    if (c.state == ContactState::open && !c.has_touched() && !lies_on_joint(solid, c)) continue;  // beside the joint
+    // Beside the joint. What lies on it and has never pressed is a crack.
+    if (c.state == ContactState::open && !c.has_touched() && !lies_on_joint(solid, c)) continue;
     for (const int surface : surfaces.of(c.pair())) sums[at(surface)].reach(solid.state().place(c));
   }
   const auto is_point = [&](const SurfaceSum& sum) { return sum.length_m() <= 1e-6 * solid.model().size_m; };

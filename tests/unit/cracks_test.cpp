@@ -47,6 +47,15 @@ TEST(Cracks, AreTheSameFarFromTheOrigin) {
   for (std::size_t i = 0; i < here.size(); ++i) EXPECT_NEAR(there[i].length_m, here[i].length_m, 1e-6) << i;
 }
 
+/// With full uplift under it.
+scene::Scene block_on_ground() {
+  scene::Scene scene;
+  scene.blocks.emplace_back().vertices = {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
+  scene.blocks.emplace_back().vertices = {{0, 0}, {4, 0}, {4, 5}, {0, 5}};
+  scene.default_joint.uplift = scene::Uplift::full;
+  return scene;
+}
+
 std::vector<std::vector<Point>> outlines_of(const scene::Scene& scene) {
   std::vector<std::vector<Point>> outlines;
   for (const scene::Block& block : scene.blocks) outlines.push_back(block.vertices);
@@ -55,10 +64,7 @@ std::vector<std::vector<Point>> outlines_of(const scene::Scene& scene) {
 
 /// A block that had left its joint kept the joint's pressure in flight, and was driven along on dry ground.
 TEST(Cracks, HaveNoWaterWhereTheirFacesHaveLeftEachOther) {
-  scene::Scene scene;
-  scene.blocks.emplace_back().vertices = {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
-  scene.blocks.emplace_back().vertices = {{0, 0}, {4, 0}, {4, 5}, {0, 5}};
-  scene.default_joint.uplift = scene::Uplift::full;
+  const scene::Scene scene = block_on_ground();
   const std::vector<Crack> cracks = find_cracks(scene);
   ASSERT_EQ(cracks.size(), 1U);
   const joints::Joint joint{.mouth = {3e4, 0}, .end = {0, 0}, .length_m = 4};
@@ -79,10 +85,7 @@ TEST(Cracks, HaveNoWaterWhereTheirFacesHaveLeftEachOther) {
 }
 
 TEST(Cracks, FullUpliftHasTheHigherPressureOfBothEnds) {
-  scene::Scene scene;
-  scene.blocks.emplace_back().vertices = {{-9, -1}, {9, -1}, {9, 0}, {-9, 0}};
-  scene.blocks.emplace_back().vertices = {{0, 0}, {4, 0}, {4, 5}, {0, 5}};
-  scene.default_joint.uplift = scene::Uplift::full;
+  const scene::Scene scene = block_on_ground();
   const std::vector<Crack> cracks = find_cracks(scene);
   ASSERT_EQ(cracks.size(), 1U);
   for (const auto& [mouth_pa, end_pa] : {std::pair{3e4, 1e4}, std::pair{1e4, 3e4}, std::pair{0.0, 3e4}}) {
