@@ -2,6 +2,7 @@
 // Narrow phase: which vertices may touch which edges in the coming step, and what they remember.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "solid/contact/candidate_filter.hpp"
@@ -82,6 +83,9 @@ class ContactSearch {
   /// How far blocks that are near each other are in each other by their outlines [m]; `known_m` if no more. Until the
   /// next search, placements are where it looked last or a step from there.
   [[nodiscard]] double overlap_m(const std::vector<Placement>& placements, double known_m);
+
+  /// Blocks so near each other that they may touch.
+  [[nodiscard]] const std::vector<std::pair<int, int>>& near_pairs() const { return pairs_.all(); }
 
   [[nodiscard]] long broad_searches() const { return pairs_.searches(); }
 

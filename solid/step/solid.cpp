@@ -19,10 +19,11 @@ namespace {
 double until_turned(const Model& model, const State& state) {
   if (!model.is(scene::AnalysisKind::dynamic)) return std::numeric_limits<double>::infinity();
   double fastest = 0;
-  for (const ContactPoint& c : state.contacts) {
-    for (const int part : {c.vertex_part, c.edge_part}) {
-      // Of a mesh's triangle the third rate is no turn.
-      if (!model.blocks[at(part)].is_part()) fastest = std::max(fastest, std::abs(state.blocks[at(part)].velocity[2]));
+  for (const auto& [a, b] : state.search.near_pairs()) {
+    for (const int block : {a, b}) {
+      // A mesh turns by its triangles, whose third rate is no turn.
+      if (model.parts.triangles[at(block)].empty())
+        fastest = std::max(fastest, std::abs(state.blocks[at(block)].velocity[2]));
     }
   }
   return ContactSearch::most_turn / fastest;

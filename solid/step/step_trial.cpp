@@ -135,12 +135,16 @@ bool StepTrial::goes_too_far() const {
            (moved_m == 0 || largest_turn() <= ContactSearch::most_turn));
 }
 
-/// Largest turn of any block near others in the step at hand [rad].
+/// Largest turn of any block near others in the step at hand [rad]. Loads may turn one that has no contact yet.
 double StepTrial::largest_turn() const {
-  const auto turned = [this](int b) { return std::abs(increment[static_cast<std::size_t>(b)][2]); };
-  return largest(state_.contacts.size(), [&](std::size_t k) {
-    return std::max(turned(state_.contacts[k].vertex_part), turned(state_.contacts[k].edge_part));
-  });
+  const auto turned = [this](int part) { return std::abs(increment[at(part)][2]); };
+  const auto of_block = [&](int b) { return model_.parts.triangles[at(b)].empty() ? turned(b) : 0; };
+  const auto& near = state_.search.near_pairs();
+  const double of_blocks =
+      largest(near.size(), [&](std::size_t k) { return std::max(of_block(near[k].first), of_block(near[k].second)); });
+  return std::max(of_blocks, largest(state_.contacts.size(), [&](std::size_t k) {
+                    return std::max(turned(state_.contacts[k].vertex_part), turned(state_.contacts[k].edge_part));
+                  }));
 }
 
 double StepTrial::largest_increment() const {

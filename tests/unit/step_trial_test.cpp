@@ -55,6 +55,20 @@ TEST(StepTrial, AStepGoesTooFarByAPathOrByATurn) {
   EXPECT_TRUE(trial.goes_too_far());
 }
 
+// A load may turn a block into another that it has no contact with as the step begins.
+TEST(StepTrial, ABlockNearOthersTurnsNoFartherWithoutAContact) {
+  Sample sample(stones());
+  sample.begin(0.01);
+  ASSERT_FALSE(sample.state.search.near_pairs().empty());
+  sample.state.contacts.clear();
+  Vector6 moved = Vector6::Zero();
+  moved[2] = 2 * ContactSearch::most_turn;
+  StepTrial& trial = sample.step.trial;
+  trial.go_to(1, moved);
+  trial.moved_m = 1e-6;
+  EXPECT_TRUE(trial.goes_too_far());
+}
+
 TEST(StepTrial, AFallIsThatOfGravity) {
   Sample sample(stones());
   sample.begin(0.1);
