@@ -13,6 +13,7 @@
 #include "solid/answers/contradiction.hpp"
 #include "solid/answers/crushed_corners.hpp"
 #include "solid/answers/joint_answer.hpp"
+#include "solid/answers/other_orders.hpp"
 #include "solid/answers/safety_reserves.hpp"
 #include "solid/answers/water_by_kind.hpp"
 #include "solid/capacity/situation.hpp"
@@ -180,6 +181,8 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
     add_friction_history(structure, *blocks.value, *by_limit.value, answer);
     solid::add_rigid_blocks(structure, now, *blocks.value, jumps_below(structure, *by_limit.value), answer);
+    solid::add_strength_in_other_orders(structure, make_fluid, *blocks.value, jumps_below(structure, *by_limit.value),
+                                        answer);
     solid::add_brittle_bonds(structure, now, *blocks.value, limit::combined(dead, 1, stated), answer);
   }
   if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);

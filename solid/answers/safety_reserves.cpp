@@ -9,6 +9,7 @@
 
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_entries.hpp"
+#include "solid/answers/other_orders.hpp"
 #include "solid/limit/determinacy.hpp"
 #include "solid/watch/edge_tension.hpp"
 
@@ -143,14 +144,9 @@ void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohman
 
 void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
                       std::optional<double> jumps_below, nlohmann::json& answer) {
-  constexpr double share = 0.95;  // friction that is not determined jumps by less from one analysis to the next
-  if (structure.is_exact() || !strains(now.scene) || found.bearing == Bearing::bears_none) return;
+  if (structure.is_exact() || !strains(now.scene)) return;
   const scene::Scene rigid = with_rigid_blocks(now.scene);
-  const double weaker = share * (found.bearing == Bearing::fails_at_a_factor ? found.factor : 1);
-  const auto without = attempt([&] {
-    if (stands(with_reduced_strength(rigid, weaker), now.water_if_any(), now.level_m)) return StaticStrength{};
-    return static_strength(rigid, now.water_if_any(), now.level_m, weaker, jumps_below);
-  });
+  const auto without = attempt([&] { return strength_if_lower(rigid, now, found, jumps_below); });
   if (!without.value || without.value->bearing != Bearing::fails_at_a_factor) return;
   const double factor = without.value->factor;
   const std::string text = fmt::format(

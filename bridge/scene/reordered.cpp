@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bridge/scene/reordered.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/at.hpp"
+
+namespace blockweir::scene {
+
+Scene reordered(Scene scene, const std::vector<int>& order) {
+  std::vector<Block> blocks;
+  std::vector<int> place(order.size());
+  for (const int block : order) {
+    place[at(block)] = static_cast<int>(blocks.size());
+    blocks.push_back(std::move(scene.blocks[at(block)]));
+  }
+  scene.blocks = std::move(blocks);
+  const auto follow = [&](int& block) {
+    if (block >= 0) block = place[at(block)];  // below: the ground, or none
+  };
+  const auto follow_each = [&](auto& entries) {
+    for (auto& entry : entries) follow(entry.block);
+  };
+  for (Joint& joint : scene.joints) std::for_each(joint.between.begin(), joint.between.end(), follow);
+  for (Bolt& bolt : scene.bolts) std::for_each(bolt.blocks.begin(), bolt.blocks.end(), follow);
+  for (BodyLoad& load : scene.body_loads) std::for_each(load.blocks.begin(), load.blocks.end(), follow);
+  follow_each(scene.supports);
+  follow_each(scene.viscous_faces);
+  follow_each(scene.point_loads);
+  follow_each(scene.face_pressures);
+  follow_each(scene.line_loads);
+  follow(scene.column.block);
+  return scene;
+}
+
+std::vector<int> from_left_to_right(const Scene& scene) {
+  std::vector<double> x_m;
+  for (const Block& block : scene.blocks) {
+    const geometry::Bounds box = geometry::bounds_of(block.vertices);
+    x_m.push_back((box.low.x() + box.high.x()) / 2);
+  }
+  std::vector<int> order(scene.blocks.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return x_m[at(a)] < x_m[at(b)]; });
+  return order;
+}
+
+}  // namespace blockweir::scene

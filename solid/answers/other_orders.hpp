@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where equilibrium does not determine friction, even the order in which blocks are listed may decide which forces they
+// find, and so whether they stand. Their factor in two other orders, without strain: from left to right and from right
+// to left.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "bridge/process/sides.hpp"
+#include "solid/capacity/situation.hpp"
+#include "solid/capacity/static_strength.hpp"
+#include "solid/limit/limit_analysis.hpp"
+
+namespace blockweir::solid {
+
+/// The factor of other blocks under the same loads if they fail with a strength that is larger by a twentieth than that
+/// of `found`; friction that is not determined jumps by less from one analysis to the next. Otherwise bears_any.
+StaticStrength strength_if_lower(const scene::Scene& other, Situation& now, const StaticStrength& found,
+                                 std::optional<double> jumps_below);
+
+/// Adds "with_blocks_reordered" {"factor", "text"} and a warning with that text if their factor is lower by a
+/// twentieth. "factor" is 0 if no strength holds them.
+void add_strength_in_other_orders(const limit::LimitAnalysis& structure, const process::FluidMaker& make_fluid,
+                                  const StaticStrength& found, std::optional<double> jumps_below,
+                                  nlohmann::json& answer);
+
+}  // namespace blockweir::solid
