@@ -24,6 +24,7 @@ bool lasts(const JointProperties& law) {
 }  // namespace
 
 bool CentredForces::may_hold(const IslandEquations& s, const StepMode& mode) const {
+  if (model_.base.moves_supports()) return false;  // what rests on the ground goes with it
   const bool many = s.unknowns->total > few_unknowns && s.unknowns->total == 3 * s.unknowns->blocks();
   return many && !mode.settles && !mode.friction_lags && !step_.substitute &&
          formulation_->force_constraints() == nullptr && formulation_->holds_exactly() && !s.moves_as_one() &&
