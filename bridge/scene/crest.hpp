@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The crest: the level edges at the highest point of what can move, over which a pool may flow.
+// The crest: the level edges at the highest point of what can move and stands on the ground, over which a pool may
+// flow.
 #pragma once
 
 #include <vector>

@@ -4,21 +4,26 @@
 #include <algorithm>
 #include <limits>
 
+#include "bridge/geometry/outline.hpp"
+#include "bridge/scene/standing_groups.hpp"
+
 namespace blockweir::solid::limit {
 
 LevelRange level_range(const scene::Scene& scene) {
-  double bottom = std::numeric_limits<double>::infinity();
-  double foot = bottom;
-  double crest = -bottom;
+  const scene::StandingGroups groups = scene::standing_groups(scene.blocks);
+  LevelRange range{.empty_m = std::numeric_limits<double>::infinity(), .full_m = scene::retaining_top_m(groups)};
   for (const scene::Block& block : scene.blocks) {
-    for (const scene::Point& p : block.vertices) {
-      bottom = std::min(bottom, p.y());
-      if (block.fixed) continue;
-      foot = std::min(foot, p.y());
-      crest = std::max(crest, p.y());
-    }
+    range.empty_m = std::min(range.empty_m, geometry::bounds_of(block.vertices).low.y());
   }
-  return {bottom, scene.water.may_overtop ? 2 * crest - foot : crest};
+  double foot_m = std::numeric_limits<double>::infinity();
+  for (const scene::StandingGroup& group : groups.all) {
+    if (!group.on_ground) continue;
+    foot_m = std::min(foot_m, group.foot_m);
+    if (group.top_m < range.full_m) range.lower_tops_m.push_back(group.top_m);
+  }
+  std::sort(range.lower_tops_m.begin(), range.lower_tops_m.end());
+  if (scene.water.may_overtop) range.full_m += range.full_m - foot_m;
+  return range;
 }
 
 }  // namespace blockweir::solid::limit

@@ -2,6 +2,8 @@
 // The levels of a filling reservoir, and the possible outcomes for the structure.
 #pragma once
 
+#include <vector>
+
 #include "bridge/scene/scene.hpp"
 
 namespace blockweir::solid::limit {
@@ -9,6 +11,7 @@ namespace blockweir::solid::limit {
 struct LevelRange {
   double empty_m = 0;  ///< the model's lowest vertex
   double full_m = 0;   ///< the crest; with overtopping, as high above the crest as the crest is above the base
+  std::vector<double> lower_tops_m{};  ///< of other structures that stand on the ground, ascending
 };
 LevelRange level_range(const scene::Scene& scene);
 

@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace blockweir::solid::limit {
 namespace {
@@ -31,19 +32,11 @@ double root(const std::function<double(double)>& power, double low_m, double hig
   return (below + above) / 2;
 }
 
-}  // namespace
-
-LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, const WaterAtLevel& water,
-                       const LevelRange& range) {
+/// From a level on downwards, by mechanisms.
+LimitLevel search_from(double level_m, const LimitAnalysis& structure, const Wrenches& empty,
+                       const WaterAtLevel& reservoir_at, double empty_m) {
   constexpr int most_programs = 100;
-  LimitLevel found{.level_m = range.full_m};
-  const Wrenches tailwater = water(range.empty_m);
-  const Wrenches empty = combined(dead, 1, tailwater);
-  if (!structure.bears(empty)) {
-    found.at_it.mechanism = structure.collapse(empty, /*however_strong=*/false);
-    return found;
-  }
-  const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
+  LimitLevel found{.level_m = level_m};
   while (++found.programs < most_programs) {
     const LargestFactor at_level = structure.largest_factor(empty, reservoir_at(found.level_m));
     if (at_level.bearing == Bearing::bears_any && found.programs > 1) break;  // what nothing resists ends here
@@ -57,16 +50,41 @@ LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, con
     if (bears) break;
     const Twists& mechanism = found.at_it.mechanism;
     const double needed = structure.resistance(mechanism) - power(empty, mechanism);
-    const auto excess = [&](double level_m) { return power(reservoir_at(level_m), mechanism) - needed; };
+    const auto excess = [&](double other_m) { return power(reservoir_at(other_m), mechanism) - needed; };
     const double at_high = excess(found.level_m);
     if (at_high <= 0) break;  // but for round-off it is the level
-    const double next = root(excess, range.empty_m, found.level_m, -needed, at_high);
-    const bool settled = found.level_m - next <= level_width * (found.level_m - range.empty_m);
+    const double next = root(excess, empty_m, found.level_m, -needed, at_high);
+    const bool settled = found.level_m - next <= level_width * (found.level_m - empty_m);
     found.level_m = next;
     if (settled) break;
   }
   const bool failed = found.programs > 1 || found.at_it.factor < 1;
   found.outcome = failed && found.at_it.bearing == Bearing::fails_at_a_factor ? Filled::fails : Filled::stands_full;
+  return found;
+}
+
+}  // namespace
+
+LimitLevel limit_level(const LimitAnalysis& structure, const Wrenches& dead, const WaterAtLevel& water,
+                       const LevelRange& range) {
+  const Wrenches tailwater = water(range.empty_m);
+  const Wrenches empty = combined(dead, 1, tailwater);
+  if (!structure.bears(empty)) {
+    LimitLevel found{.level_m = range.full_m};
+    found.at_it.mechanism = structure.collapse(empty, /*however_strong=*/false);
+    return found;
+  }
+  const auto reservoir_at = [&](double level_m) { return combined(water(level_m), -1, tailwater); };
+  // A structure below the level has water on both sides, which may hold it up.
+  std::vector<double> levels_m = range.lower_tops_m;
+  levels_m.push_back(range.full_m);
+  LimitLevel found;
+  int programs = 0;
+  for (const double level_m : levels_m) {
+    found = search_from(level_m, structure, empty, reservoir_at, range.empty_m);
+    found.programs = programs += found.programs;
+    if (found.outcome == Filled::fails) break;
+  }
   return found;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The failure level by limit analysis. Water forces at two levels are not multiples of each other, so the level is
 // found by mechanisms: take the mechanism at a level that fails. The level at which its power vanishes is lower and
-// also fails, or is the result. The levels decrease monotonically and end after a few programs.
+// also fails, or is the result. The levels decrease monotonically and end after a few programs. Where a scene has
+// several structures, each one's top is such a level to start from, from the lowest on.
 #pragma once
 
 #include <functional>

@@ -3,6 +3,8 @@
 // Bolts in a scene: both ends, stiffness, prestress and yield, and what is said of wrong ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/scene_sample.hpp"
 
 namespace blockweir::scene_bolts_test {
@@ -59,11 +61,26 @@ TEST(SceneBolt, DoesNotEndInTheGroundInsideABlockThatMoves) {
   }
 }
 
+TEST(SceneBolt, AnEndInTheAirIsWarnedOf) {
+  const std::string stiff = "stiffness_n_per_m2 = 1\n";
+  const auto told = [&](const std::string& end) {
+    const auto all = sample::warnings(bolted("to_m = " + end + "\n" + stiff));
+    return std::any_of(all.begin(), all.end(), [](const std::string& warning) {
+      return warning.find("is in the air above block \"ground\"") != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(told("[1, 7]"));
+  EXPECT_TRUE(told("[-2, 3]"));
+  for (const char* sound : {"[1, 0]", "[1, -0.5]", "[4, -3]", "[12, 1]", "[1, 1]\nto_block = \"base\""})
+    EXPECT_FALSE(told(sound)) << sound;
+}
+
 TEST(SceneBolt, HoldsWhatHangsOnIt) {
-  const std::string high = with("[[0, 2], [3, 2], [3, 4], [0, 4]]", "[[20, 2], [23, 2], [23, 4], [20, 4]]",
-                                with("point_m = [0, 4]", "point_m = [20, 4]",
-                                     with("from_m = [3, 2]\nto_m = [3, 4]", "from_m = [23, 2]\nto_m = [23, 4]",
-                                          with("cohesion_pa = 1e5", "friction_angle_deg = 20"))));
+  const std::string high =
+      with("[[0, 2], [3, 2], [3, 4], [0, 4]]", "[[20, 2], [23, 2], [23, 4], [20, 4]]",
+           with("point_m = [0, 4]", "point_m = [20, 4]",
+                with("from_m = [3, 2]\nto_m = [3, 4]", "from_m = [23, 2]\nto_m = [23, 4]",
+                     with("cohesion_pa = 1e5", "friction_angle_deg = 20", with("[2, 3]", "[1, 2]")))));
   expect_error(high, 23, {"block \"top\" is outside any support"});
   const std::string bolt = "[[bolt]]\nname = \"b\"\nfrom_block = \"top\"\nfrom_m = [21, 3]\nstiffness_n_per_m2 = 1\n";
   EXPECT_THAT(errors(high + bolt + "to_m = [21, 9]\n"), testing::IsEmpty());

@@ -78,7 +78,7 @@ TEST(SceneOneCause, BlocksThatOverlapAreNotSaidToBeApart) {
 TEST(SceneOneCause, ALevelIsToldInSixDigits) {
   const std::string scene =
       sample::with("0.5", "3.1234567890123", scene_of(wall("3")).substr(0, 30)) + scene_of(wall("3")).substr(30);
-  expect_error(scene, 1, {"upstream_level_m reaches 3.12346 m, above the structure's highest vertex at 0.75 m"});
+  expect_error(scene, 1, {"upstream_level_m reaches 3.12346 m, above the structure's top at 0.75 m"});
 }
 
 TEST(SceneOneCause, AHeapTellsTheLimitThatItHas) {

@@ -97,8 +97,7 @@ TEST(SceneWater, WhetherTheEndsStandInWaterIsLeftOpenOrStated) {
 
 TEST(SceneWater, ALevelAboveTheStructureIsRefusedUnlessMeant) {
   const std::string high = with("[2, 3]", "[2, 4.5]");
-  expect_error(high, 45,
-               {"upstream_level_m reaches 4.5 m, above the structure's highest vertex at 4 m", "may_overtop"});
+  expect_error(high, 45, {"upstream_level_m reaches 4.5 m, above the structure's top at 4 m", "may_overtop"});
   EXPECT_THAT(errors(with("[water]", "[water]\nmay_overtop = true", high)), IsEmpty());
   expect_error(with("[water]", "[water]\ndownstream_level_m = 5"), 45, {"downstream_level_m reaches 5 m"});
 }

@@ -44,6 +44,25 @@ void refuse_ground_in_block(TableReader& table, Reading& reading, const Point& p
   }
 }
 
+/// Warns of an end in the ground that lies in no block, and above ground: it is taken to hold, though in the air.
+void warn_of_ground_in_air(TableReader& table, Reading& reading, const Point& point) {
+  const Block* below = nullptr;
+  for (const Block& block : reading.scene.blocks) {
+    if (block.vertices.empty()) continue;
+    const geometry::Bounds box = geometry::bounds_of(block.vertices);
+    if (geometry::holds_point(block.vertices, point, 1e-6 * box.size())) return;
+    const bool under = box.low.x() <= point.x() && point.x() <= box.high.x() && box.high.y() < point.y();
+    if (block.fixed && under) below = &block;
+  }
+  if (below == nullptr) return;
+  reading.problems.warning(
+      table.place("to_m"),
+      fmt::format("to_m ({}, {}) in {} is in the air above block \"{}\", and no to_block is stated, which stands for "
+                  "the ground: it holds all the same",
+                  point.x(), point.y(), table.name(), below->name),
+      "an end in the ground", "is a sign wrong? move the point into the ground, or name the block that it is on");
+}
+
 /// Reports a bolt neither of whose ends can move.
 void require_movable_end(TableReader& table, Reading& reading, const Bolt& bolt) {
   const Block* from = reading.sound_block(bolt.blocks[0]);
@@ -91,7 +110,10 @@ void read_bolts(Reading& reading) {
     require_movable_end(table, reading, bolt);
     if (ends) check_end(table, reading, "from_m", bolt.blocks[0], bolt.from_m);
     if (ends) check_end(table, reading, "to_m", bolt.blocks[1], bolt.to_m);
-    if (ends && !table.has("to_block") && bolt.from_m != bolt.to_m) refuse_ground_in_block(table, reading, bolt.to_m);
+    if (ends && !table.has("to_block") && bolt.from_m != bolt.to_m) {
+      refuse_ground_in_block(table, reading, bolt.to_m);
+      warn_of_ground_in_air(table, reading, bolt.to_m);
+    }
     read_stiffness(table, reading, bolt);
     table.number("prestress_n_per_m", bolt.prestress_n_per_m, not_negative());
     table.number("yield_n_per_m", bolt.yield_n_per_m, positive());

@@ -2,68 +2,10 @@
 // The water and the model that computes its pressure.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
-#include "bridge/geometry/outline.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
-namespace {
-
-/// Lowest and highest value that a table takes from time 0 to `duration_s`.
-std::pair<double, double> extremes(const TimeTable& table, double duration_s) {
-  auto [low, high] = std::minmax({table.rows_at(0), table.rows_at(duration_s)});
-  for (std::size_t i = 0; i < table.time_s.size(); ++i) {
-    if (table.time_s[i] < 0 || table.time_s[i] > duration_s) continue;
-    low = std::min(low, table.value[i]);
-    high = std::max(high, table.value[i]);
-  }
-  if (table.sine) low -= std::abs(table.sine->amplitude), high += std::abs(table.sine->amplitude);
-  return {low, high};
-}
-
-/// Crest: the highest moving vertex, or the highest of all if nothing moves. Bottom: the lowest of all.
-struct Heights {
-  double bottom_m;
-  double crest_m;
-};
-
-std::optional<Heights> heights(const std::vector<Block>& blocks) {
-  std::vector<Point> all;
-  std::vector<Point> movable;
-  for (const Block& block : blocks) {
-    all.insert(all.end(), block.vertices.begin(), block.vertices.end());
-    if (!block.fixed) movable.insert(movable.end(), block.vertices.begin(), block.vertices.end());
-  }
-  if (all.empty()) return std::nullopt;
-  return Heights{geometry::bounds_of(all).low.y(), geometry::bounds_of(movable.empty() ? all : movable).high.y()};
-}
-
-void check_level(TableReader& table, Reading& reading, const char* key, const std::optional<TimeTable>& level) {
-  const bool sound =
-      reading.blocks.complete() && std::none_of(reading.scene.blocks.begin(), reading.scene.blocks.end(),
-                                                [](const Block& block) { return block.vertices.empty(); });
-  const auto model = heights(reading.scene.blocks);
-  if (!level || !model || !sound) return;
-  const auto [low, high] = extremes(*level, reading.scene.analysis.duration_s);
-  const double round_off_m = 1e-9 * (model->crest_m - model->bottom_m);  // of a ramp up to the crest
-  if (high > model->crest_m + round_off_m && !reading.scene.water.may_overtop) {
-    reading.problems.error(
-        table.place(key),
-        fmt::format("{} reaches {:.6g} m, above the structure's highest vertex at {:.6g} m", key, high, model->crest_m),
-        "a level within the structure", "lower the level, or set may_overtop = true in [water] if that is meant");
-  }
-  if (low < model->bottom_m - round_off_m) {
-    reading.problems.error(
-        table.place(key),
-        fmt::format("{} falls to {:.6g} m, below the model's lowest vertex at {:.6g} m", key, low, model->bottom_m),
-        "a level within the model", "raise the level, or leave it out where there is no water");
-  }
-}
-
-}  // namespace
 
 void read_water(Reading& reading) {
   TableReader table(reading.problems, reading.section("water"), "[water]");
@@ -102,8 +44,6 @@ void read_water(Reading& reading) {
     reading.problems.error(table.place(), "[water] in a scene whose gravity is tilted", "gravity along the y axis",
                            "set gravity_tilt_deg = 0 in [analysis] and turn the blocks instead");
   }
-  check_level(table, reading, "upstream_level_m", w.upstream_level_m);
-  check_level(table, reading, "downstream_level_m", w.downstream_level_m);
 }
 
 void read_fluid(Reading& reading) {

@@ -142,6 +142,8 @@ void resolve_lengths(Reading& reading);
 void check_viscous_boundaries(const Reading& reading);
 /// Warns of loads that displace a viscous boundary permanently.
 void check_drift(const Reading& reading);
+/// Reports levels above what retains the water, or below the model.
+void check_level_heights(const Reading& reading);
 /// Highest value of a level over the run; for sines an upper bound.
 double highest(const TimeTable& level, double duration_s);
 /// Warns of keys without effect in a valid scene.
