@@ -106,12 +106,19 @@ class LevelSearch {
 
   [[nodiscard]] bool has_bracket() const { return fails_m_ <= full_m_; }
 
-  void narrow() {
+  /// No top of a structure is passed: above it stands in water on both sides, which may hold it up.
+  [[nodiscard]] double next_rise() const {
     constexpr int rises = 20;
+    const std::vector<double>& tops_m = water_.range().lower_tops_m;
+    const auto top = std::upper_bound(tops_m.begin(), tops_m.end(), rests_m_);
+    return std::min(top == tops_m.end() ? full_m_ : *top, rests_m_ + range_m_ / rises);
+  }
+
+  void narrow() {
     while (rests_m_ < full_m_ && fails_m_ - rests_m_ > width_m_) {
       tell(fmt::format("rests at {:.9g} m", rests_m_) +
            (has_bracket() ? fmt::format(", fails at {:.9g} m", fails_m_) : ""));
-      const double next_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : std::min(full_m_, rests_m_ + range_m_ / rises);
+      const double next_m = has_bracket() ? (rests_m_ + fails_m_) / 2 : next_rise();
       if (next_m <= rests_m_ || next_m >= fails_m_) break;
       // Pure strain moves less under a small rise, and slip need not be followed as far.
       const double share = std::min(1.0, followed_ * std::max(1e-6, (next_m - rests_m_) / range_m_));
