@@ -31,13 +31,14 @@ inline bool reflex(const std::vector<Point>& outline, std::size_t v) {
 
 /// Is the body at this corner of an outline on the normal's side of it, but for an angle of `closing` [rad]? A vertex
 /// presses on no other edges. Both sides of a corner that is nearly straight, or very sharp, lie along the edge
-/// whichever side the body is on: the way into the body tells.
-inline bool faces(const std::vector<Point>& outline, std::size_t v, const Point& normal, double closing) {
+/// whichever side the body is on: the way into the body tells, but for an angle of `turning` [rad].
+inline bool faces(const std::vector<Point>& outline, std::size_t v, const Point& normal, double closing,
+                  double turning = 0) {
   const Point to_before = (outline[previous(v, outline.size())] - outline[v]).normalized();
   const Point to_after = (outline[next(v, outline.size())] - outline[v]).normalized();
   if (std::min(normal.dot(to_before), normal.dot(to_after)) < -closing) return false;
   const Point inward = perpendicular(to_after) - perpendicular(to_before);
-  return normal.dot(inward) >= 0;
+  return normal.dot(inward) >= -turning * inward.norm();
 }
 
 /// Does the outline enclose the point? Edges that cross its height on its right are counted.

@@ -103,16 +103,18 @@ bool PassingCorners::note_entered(const std::vector<Placement>& placements, cons
   // are a contact, that holds what the step at hand has not closed yet. What was in before, as corners of blocks that
   // strain may be, is none of that: a face turned on its far end, and its near end sank in.
   const bool was_in = c.gap < -2 * outlines_.coincidence_m();
+  const std::size_t to = next(at(c.edge), edges.size());
+  const Point span = edges[to] - edges[at(c.edge)];
+  const Point way = vertices[at(c.vertex)] - edges[at(c.edge)];
+  const std::size_t end = span.dot(way) > span.squaredNorm() / 2 ? to : at(c.edge);
   const auto side_holds_end = [&](const ContactPoint& other) {
-    return other.vertex_block == c.edge_block && other.edge_block == c.vertex_block &&
-           (other.vertex == c.edge || at(other.vertex) == next(at(c.edge), edges.size())) &&
+    return other.vertex_block == c.edge_block && other.edge_block == c.vertex_block && at(other.vertex) == end &&
            (other.edge == c.vertex || at(c.vertex) == next(at(other.edge), vertices.size()));
   };
   const bool through = !encloses(edges, vertices[at(c.vertex)]) &&
                        pierces(vertices, at(c.vertex), edges, at(c.edge), outlines_.coincidence_m());
   if (through && !was_in && std::any_of(contacts.begin(), contacts.end(), side_holds_end)) return false;
-  const Point span = edges[next(at(c.edge), edges.size())] - edges[at(c.edge)];
-  const double gap = cross(vertices[at(c.vertex)] - edges[at(c.edge)], span.normalized());
+  const double gap = cross(way, span.normalized());
   if (left_m > 0 && gap >= -left_m) return false;
   entered_.push_back(c);
   entered_.back().gap = gap;

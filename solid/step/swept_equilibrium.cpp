@@ -49,6 +49,7 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (!s.correction.allFinite()) return Found::nothing;
     s.move(1);
     take_forces(s);
+    if (turns_too_far(s)) return Found::by_sweeps;  // the step is, too
     if (round == 1) {
       const double left = PushApart(step_).left_by_sweeps_m(s);
       if (state_.search.entered(trial_.placement, state_.contacts, left, s.island.blocks)) return Found::corners;
@@ -102,6 +103,13 @@ bool SweptEquilibrium::finish(IslandEquations& s, const StepMode& mode) {
   for (const int k : s.island.supports) state_.supports[at(k)].penalty *= softer;
   formulation_->keep_forces(trial_.now(), s.island_contacts());
   return find_by_newton(step_, s, mode);
+}
+
+/// Forces act along other lines than they were found for: at a new round they would let go of what they have thrown.
+bool SweptEquilibrium::turns_too_far(const IslandEquations& s) const {
+  return std::any_of(s.island.blocks.begin(), s.island.blocks.end(), [&](int block) {
+    return !model_.blocks[at(block)].is_part() && std::abs(trial_.increment[at(block)][2]) > most_turn_in_step;
+  });
 }
 
 /// Displacement in the last sweep, or in the one closest to convergence.

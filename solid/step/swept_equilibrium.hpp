@@ -20,6 +20,7 @@ class SweptEquilibrium : StepPart {
   bool fly(IslandEquations& island);
   [[nodiscard]] double most_of(const IslandEquations& island) const;
   double sweep(IslandEquations& island, int most, double enough_m);
+  [[nodiscard]] bool turns_too_far(const IslandEquations& island) const;
   bool finish(IslandEquations& island, const StepMode& mode);
   void begin(IslandEquations& island);
   void start_again(const IslandEquations& island);
