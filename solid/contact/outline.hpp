@@ -31,7 +31,8 @@ inline bool reflex(const std::vector<Point>& outline, std::size_t v) {
 
 /// Is the body at this corner of an outline on the normal's side of it, but for an angle of `closing` [rad]? A vertex
 /// presses on no other edges. Both sides of a corner that is nearly straight, or very sharp, lie along the edge
-/// whichever side the body is on: the way into the body tells, but for an angle of `turning` [rad].
+/// whichever side the body is on: the way into the body tells, but for an angle of `turning` [rad]:
+/// the tip of a needle may turn onto a face that it is still off, and that its axis points away from.
 inline bool faces(const std::vector<Point>& outline, std::size_t v, const Point& normal, double closing,
                   double turning = 0) {
   const Point to_before = (outline[previous(v, outline.size())] - outline[v]).normalized();

@@ -139,7 +139,6 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
       const double s = t.dot(V[v] - a);
       const double beyond = std::max(-s, s - edge_length);
       if (std::max({gap - opened, -gap, beyond}) > pairs_.reach_m()) continue;
-      // The tip of a needle may turn onto a face that it is still off, and that its axis points away from.
       if (!faces(V, v, n, closing, gap > outlines_.coincidence_m() ? closing : 0)) continue;
       // On the block's far side, not in it; a tip that may pass another can be out of that again beside the edge's end.
       const auto has_passed = [&] {

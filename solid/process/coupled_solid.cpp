@@ -209,7 +209,7 @@ void CoupledSolid::restore(const std::string& state) {
 }
 
 /// By phase, none of which holds another. Phases of which only samples were timed are not together longer than all
-/// steps.
+/// steps, nor shorter than what is timed within them.
 nlohmann::json CoupledSolid::seconds() const {
   Profile p = solid_.profile();
   const double phases_s = p.search + p.islands + p.assembly + p.solve + p.sweeps + p.accept;
@@ -220,9 +220,9 @@ nlohmann::json CoupledSolid::seconds() const {
   return {{"search", p.search},
           {"islands", p.islands},
           {"contact", p.contact},
-          {"assembly", p.assembly - p.contact},
+          {"assembly", std::max(0.0, p.assembly - p.contact)},
           {"factorization", p.factorization},
-          {"solve", p.solve - p.factorization},
+          {"solve", std::max(0.0, p.solve - p.factorization)},
           {"state_changes", p.sweeps},
           {"accept", p.accept},
           {"rest_of_step", std::max(0.0, step_s_ - too_long * phases_s)},
