@@ -25,6 +25,7 @@ class SweptEquilibrium : StepPart {
   void begin(IslandEquations& island);
   void start_again(const IslandEquations& island);
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
+  [[nodiscard]] bool pumps(const IslandEquations& island) const;
   [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
   void stand(IslandEquations& island);
   void take_forces(IslandEquations& island);
