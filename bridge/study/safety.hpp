@@ -15,7 +15,8 @@ struct SafetyOptions : process::AskOptions {
 };
 
 /// The lowest factor in an answer of blockweir-limit: of the blocks, also without strain or listed in another order,
-/// with crushed corners, with cracked joints, or of a limit-analysis bound below it. Infinite if no strength is needed, 0 if no strength is enough.
+/// with crushed corners, with cracked joints, or of a limit-analysis bound below it. Infinite if no strength is needed,
+/// 0 if no strength is enough.
 double deciding_factor(const nlohmann::json& answer);
 /// Whether an answer reaches the required factor. Null if none is required, or if the blocks have no answer and limit
 /// analysis, an upper bound, does not decide either.
