@@ -15,6 +15,7 @@
 #include "bridge/scene/at.hpp"
 #include "bridge/scene/block_facts.hpp"
 #include "bridge/scene/hydrostatics.hpp"
+#include "bridge/scene/standing_groups.hpp"
 #include "bridge/statics/loads.hpp"
 #include "bridge/wire/panels.hpp"
 #include "bridge/wire/placement.hpp"
@@ -90,9 +91,12 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
   check_width(scene);
   structure_.ground = scene::find_ground_ends(scene);
   structure_.floats = scene::lowest_floats(scene);
-  for (const scene::Block& block : scene.blocks) {
+  const scene::StandingGroups groups = scene::standing_groups(scene.blocks);
+  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
+    const scene::Block& block = scene.blocks[b];
     centroids_.push_back(geometry::centroid(block.vertices));
     structure_.outlines.push_back(block.vertices);
+    structure_.retaining.push_back(block.fixed || groups.on_ground(b));
   }
   crest_drawn_m_ = crest_m(structure_);
 }

@@ -30,12 +30,22 @@ Extent extent_of(const Structure& structure) {
   return all;
 }
 
+double height_of_crest(const Structure& structure) {
+  double height = -std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < structure.outlines.size(); ++b) {
+    if (!structure.is_retaining(b)) continue;
+    for (const Point& p : structure.outlines[b]) height = std::max(height, p.y());
+  }
+  return height;
+}
+
 Point corner_of_crest(const Structure& structure, const Extent& all, Pool pool) {
-  const double low = all.max().y() - 2e-3 * all.sizes().y();
+  const double low = height_of_crest(structure) - 2e-3 * all.sizes().y();
   const bool upstream = pool == Pool::upstream;
   Point corner(upstream ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity(), 0);
-  for (const auto& outline : structure.outlines) {
-    for (const Point& p : outline) {
+  for (std::size_t b = 0; b < structure.outlines.size(); ++b) {
+    if (!structure.is_retaining(b)) continue;
+    for (const Point& p : structure.outlines[b]) {
       if (p.y() >= low && (upstream ? p.x() < corner.x() : p.x() > corner.x())) corner = p;
     }
   }
@@ -114,7 +124,7 @@ class Search {
   /// Water above the crest that is connected below it, too, is one body, and no wall parts it.
   [[nodiscard]] WetFaces on_both_sides(Ends ends, double middle) {
     WetFaces found = between(left(), right(), ends, middle);
-    if (!found.breached || level_ <= all_.max().y()) return found;
+    if (!found.breached || level_ <= height_of_crest(structure_)) return found;
     beside_.pop_back();
     return between(left(), right(), ends, middle);
   }
@@ -216,7 +226,7 @@ Point crest_corner(const Structure& structure, Pool pool) {
 }
 
 double crest_m(const Structure& structure) {
-  return extent_of(structure).max().y();
+  return height_of_crest(structure);
 }
 
 WetFaces wet_faces(const Structure& structure, Pool pool, double level_m, bool expected_behind) {

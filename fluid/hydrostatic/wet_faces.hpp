@@ -20,6 +20,10 @@ struct Structure {
   bool floats = false;  ///< water is below the lowest block
   /// Where the scene draws the structure's highest point; NaN if no matter.
   double crest_drawn_m = std::numeric_limits<double>::quiet_NaN();
+  /// Blocks that the crest belongs to; empty: all. A deck on supports of its own is none of them.
+  std::vector<bool> retaining{};
+
+  [[nodiscard]] bool is_retaining(std::size_t block) const { return retaining.empty() || retaining[block]; }
 };
 
 struct WetFaces {
@@ -41,7 +45,7 @@ WetFaces wet_faces(const Structure& structure, Pool pool, double level_m, bool e
 /// The crest's corner on the pool's side: of all vertices almost as high as the highest, the one nearest to the pool. A
 /// crest that tilts a little as the block moves thus remains the same crest.
 Point crest_corner(const Structure& structure, Pool pool);
-/// The structure's highest point.
+/// The highest point of what retains the water.
 double crest_m(const Structure& structure);
 
 /// For a pool that ends at the vertical line through the middle of the crest.

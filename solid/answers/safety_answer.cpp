@@ -180,9 +180,9 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     solid::add_contradiction(*blocks.value, *by_limit.value, answer);
     add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
     add_friction_history(structure, *blocks.value, *by_limit.value, answer);
-    solid::add_rigid_blocks(structure, now, *blocks.value, jumps_below(structure, *by_limit.value), answer);
-    solid::add_strength_in_other_orders(structure, make_fluid, *blocks.value, jumps_below(structure, *by_limit.value),
-                                        answer);
+    const auto jumps = jumps_below(structure, *by_limit.value);
+    solid::add_rigid_blocks(structure, now, *blocks.value, jumps, answer);
+    solid::add_strength_in_other_orders(structure, make_fluid, *blocks.value, jumps, answer);
     solid::add_brittle_bonds(structure, now, *blocks.value, limit::combined(dead, 1, stated), answer);
   }
   if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);

@@ -191,7 +191,7 @@ bool SweptEquilibrium::pumps(const IslandEquations& s) const {
     owed += state_.energy.owed(at(block));
     fall += model_.blocks[at(block)].mass_per_m() * model_.scene.analysis.gravity_m_per_s2 * trial_.fall_m();
   }
-  return owed > share * fall;
+  return fall > 0 && owed > share * fall;
 }
 
 /// Blocks in dry contacts that move by little more than what sweeps would leave.

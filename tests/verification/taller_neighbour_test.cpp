@@ -40,17 +40,27 @@ std::string house(Random& any, double height_m) {
       left_m, left_m + any.between(0.8, 2) * height_m, any.between(1.05, 2) * height_m);
 }
 
+std::string deck(double height_m) {
+  const double low_m = 1.2 * height_m;
+  return fmt::format(
+      "[[block]]\nname = \"deck\"\nmaterial = \"m\"\nvertices_m = [[0, {0}], [{2}, {0}], [{2}, {1}], [0, {1}]]\n"
+      "[[support]]\nblock = \"deck\"\npoint_m = [0, {0}]\ndisplacement_x_m = 0\ndisplacement_y_m = 0\n"
+      "[[support]]\nblock = \"deck\"\npoint_m = [{2}, {0}]\ndisplacement_y_m = 0\n",
+      low_m, 1.3 * height_m, 2 * height_m);
+}
+
+nlohmann::json level_of(const std::string& text) {
+  return process::level_answer(scene::read_text(text, "wall").scene, hydrostatic::make);
+}
+
 TEST(TallerNeighbour, DoesNotHideTheLevelOfAWall) {
   Random any(1);
   int failed = 0;
   for (int n = 0; n < campaign(8); ++n) {
     const double height_m = any.between(3, 20);
     const std::string alone = wall(any, height_m);
-    const auto answer_of = [](const std::string& text) {
-      return process::level_answer(scene::read_text(text, "wall").scene, hydrostatic::make);
-    };
-    const nlohmann::json one = answer_of(alone);
-    const nlohmann::json both = answer_of(alone + house(any, height_m));
+    const nlohmann::json one = level_of(alone);
+    const nlohmann::json both = level_of(alone + house(any, height_m));
     if (one["outcome"] != "fails" || one["level_m"] > 0.998 * height_m) continue;
     ++failed;
     ASSERT_EQ(both["outcome"], "fails") << n << alone;
@@ -61,6 +71,31 @@ TEST(TallerNeighbour, DoesNotHideTheLevelOfAWall) {
         << n;
   }
   EXPECT_GT(failed, 3);
+}
+
+/// Water that overtops the wall is held by it, not by a deck that it passes under.
+TEST(TallerNeighbour, ADeckOnItsOwnSupportsHoldsNoWater) {
+  Random any(2);
+  for (int n = 0; n < campaign(4); ++n) {
+    const double height_m = any.between(3, 20);
+    const std::string overtopped =
+        fmt::format("water = {{ upstream_level_m = {}, may_overtop = true }}\n", any.between(1.01, 1.15) * height_m);
+    const std::string alone = overtopped + wall(any, height_m);
+    const auto factor_of = [](const std::string& text) {
+      return process::safety_answer(scene::read_text(text, "wall").scene, hydrostatic::make)["water_factor"]["factor"]
+          .get<double>();
+    };
+    const double factor = factor_of(alone);
+    EXPECT_NEAR(factor_of(alone + deck(height_m)), factor, 1e-9 * factor) << n;
+    const nlohmann::json one = level_of(alone);
+    const nlohmann::json both = level_of(alone + deck(height_m));
+    ASSERT_EQ(both["outcome"], one["outcome"]) << n;
+    if (one["outcome"] != "fails") continue;
+    EXPECT_NEAR(both["level_m"].get<double>(), one["level_m"].get<double>(), 1e-6 * height_m) << n;
+    EXPECT_NEAR(both["limit_analysis"]["level_m"].get<double>(), one["limit_analysis"]["level_m"].get<double>(),
+                1e-9 * height_m)
+        << n;
+  }
 }
 
 }  // namespace

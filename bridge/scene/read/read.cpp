@@ -119,8 +119,8 @@ void read_sections(Reading& reading, ReadScene& result) {
   reject_unknown_sections(reading);
   resolve_lengths(reading);
   check_overlaps(reading.scene, reading.problems);
-  // A wrong block or support would be followed by an error for each block that it holds.
   const std::size_t supported = reading.problems.count();
+  // A wrong block or support would be followed by an error for each block that it holds.
   if (structure_sound) check_unsupported(reading.scene, reading.problems);
   if (reading.problems.count() == supported) check_level_heights(reading);
   if (reading.problems.count() == before) check_cracks(reading);
