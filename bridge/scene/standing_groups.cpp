@@ -47,6 +47,13 @@ StandingGroups standing_groups(const std::vector<Block>& blocks) {
   return groups;
 }
 
+std::vector<bool> retaining_blocks(const std::vector<Block>& blocks) {
+  const StandingGroups groups = standing_groups(blocks);
+  std::vector<bool> retaining;
+  for (std::size_t b = 0; b < blocks.size(); ++b) retaining.push_back(blocks[b].fixed || groups.on_ground(b));
+  return retaining;
+}
+
 double retaining_top_m(const StandingGroups& groups) {
   double top_m = -std::numeric_limits<double>::infinity();
   for (const StandingGroup& group : groups.all) {

@@ -26,6 +26,9 @@ struct StandingGroups {
 /// The highest point of what can move and stands on the ground; minus infinity if nothing can move.
 double retaining_top_m(const StandingGroups& groups);
 
+/// Of each block: is it ground, or does it stand on the ground?
+std::vector<bool> retaining_blocks(const std::vector<Block>& blocks);
+
 /// Blocks count as touching where the boxes around them do.
 StandingGroups standing_groups(const std::vector<Block>& blocks);
 

@@ -91,12 +91,10 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
   check_width(scene);
   structure_.ground = scene::find_ground_ends(scene);
   structure_.floats = scene::lowest_floats(scene);
-  const scene::StandingGroups groups = scene::standing_groups(scene.blocks);
-  for (std::size_t b = 0; b < scene.blocks.size(); ++b) {
-    const scene::Block& block = scene.blocks[b];
+  structure_.retaining = scene::retaining_blocks(scene.blocks);
+  for (const scene::Block& block : scene.blocks) {
     centroids_.push_back(geometry::centroid(block.vertices));
     structure_.outlines.push_back(block.vertices);
-    structure_.retaining.push_back(block.fixed || groups.on_ground(b));
   }
   crest_drawn_m_ = crest_m(structure_);
 }
