@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "bridge/geometry/outline.hpp"
 #include "bridge/scene/at.hpp"
@@ -35,15 +36,16 @@ Scene reordered(Scene scene, const std::vector<int>& order) {
   return scene;
 }
 
-std::vector<int> from_left_to_right(const Scene& scene) {
-  std::vector<double> x_m;
+std::vector<int> from_left_to_right(const Scene& scene, bool upwards) {
+  std::vector<std::pair<double, double>> places;
   for (const Block& block : scene.blocks) {
     const geometry::Bounds box = geometry::bounds_of(block.vertices);
-    x_m.push_back((box.low.x() + box.high.x()) / 2);
+    const Eigen::Vector2d middle = (box.low + box.high) / 2;
+    places.emplace_back(middle.x(), upwards ? middle.y() : -middle.y());
   }
   std::vector<int> order(scene.blocks.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return x_m[at(a)] < x_m[at(b)]; });
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return places[at(a)] < places[at(b)]; });
   return order;
 }
 

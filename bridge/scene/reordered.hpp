@@ -13,7 +13,8 @@ namespace blockweir::scene {
 /// the same block afterwards.
 Scene reordered(Scene scene, const std::vector<int>& order);
 
-/// Indices of the blocks by the x of their middles, from left to right; as listed where that is the same.
-std::vector<int> from_left_to_right(const Scene& scene);
+/// Indices of the blocks by the x of their middles, from left to right; of those above each other, upwards or
+/// downwards.
+std::vector<int> from_left_to_right(const Scene& scene, bool upwards);
 
 }  // namespace blockweir::scene

@@ -23,10 +23,13 @@ struct Order {
 
 std::vector<Order> other_orders(const scene::Scene& scene) {
   const scene::Scene rigid = with_rigid_blocks(scene);
-  std::vector<int> order = scene::from_left_to_right(rigid);
-  std::vector<Order> orders{{"from left to right", scene::reordered(rigid, order)}};
-  std::reverse(order.begin(), order.end());
-  orders.push_back({"from right to left", scene::reordered(rigid, order)});
+  std::vector<Order> orders;
+  for (const bool upwards : {true, false}) {
+    std::vector<int> order = scene::from_left_to_right(rigid, upwards);
+    orders.push_back({"from left to right", scene::reordered(rigid, order)});
+    std::reverse(order.begin(), order.end());
+    orders.push_back({"from right to left", scene::reordered(rigid, order)});
+  }
   return orders;
 }
 
@@ -34,12 +37,18 @@ std::vector<Order> other_orders(const scene::Scene& scene) {
 
 StaticStrength strength_if_lower(const scene::Scene& other, Situation& now, const StaticStrength& found,
                                  std::optional<double> jumps_below) {
-  constexpr double share = 0.95;
-  const StaticStrength no_lower{.bearing = Bearing::bears_any};
-  if (found.bearing == Bearing::bears_none) return no_lower;
-  const double weaker = share * (found.bearing == Bearing::fails_at_a_factor ? found.factor : 1);
-  if (stands(with_reduced_strength(other, weaker), now.water_if_any(), now.level_m)) return no_lower;
-  return static_strength(other, now.water_if_any(), now.level_m, weaker, jumps_below);
+  if (found.bearing != Bearing::bears_none) {
+    const double factor = found.bearing == Bearing::fails_at_a_factor ? found.factor : 1;
+    // What stands with less friction may fail with more where equilibrium does not determine it: one share is not
+    // enough.
+    for (const double share : {0.95, 0.7, 0.5}) {
+      const double weaker = share * factor;
+      if (!stands(with_reduced_strength(other, weaker), now.water_if_any(), now.level_m)) {
+        return static_strength(other, now.water_if_any(), now.level_m, weaker, jumps_below);
+      }
+    }
+  }
+  return {.bearing = Bearing::bears_any};
 }
 
 void add_strength_in_other_orders(const limit::LimitAnalysis& structure, const process::FluidMaker& make_fluid,

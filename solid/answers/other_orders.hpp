@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where equilibrium does not determine friction, even the order in which blocks are listed may decide which forces they
-// find, and so whether they stand. Their factor in two other orders, without strain: from left to right and from right
-// to left.
+// find, and so whether they stand. Their factor in four other orders, without strain: from left to right and from right
+// to left, those above each other upwards and downwards.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,8 +14,9 @@
 
 namespace blockweir::solid {
 
-/// The factor of other blocks under the same loads if they fail with a strength that is larger by a twentieth than that
-/// of `found`; friction that is not determined jumps by less from one analysis to the next. Otherwise bears_any.
+/// The factor of other blocks under the same loads if they fail with more than the strength of `found`: with 1 / 0.95
+/// (friction that is not determined jumps by less from one analysis to the next), 1 / 0.7 or twice of it. Otherwise
+/// bears_any.
 StaticStrength strength_if_lower(const scene::Scene& other, Situation& now, const StaticStrength& found,
                                  std::optional<double> jumps_below);
 

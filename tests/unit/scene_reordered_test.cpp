@@ -72,12 +72,15 @@ TEST(SceneReordered, EachBlockBearsTheSameLoads) {
 
 TEST(SceneReordered, FromLeftToRightIsByTheMiddles) {
   const Scene scene = read(std::string(BLOCKWEIR_SOURCE) + "/cases/brick-dam").scene;
-  const std::vector<int> order = from_left_to_right(scene);
-  double before_m = -std::numeric_limits<double>::infinity();
-  for (const int b : order) {
-    const auto box = geometry::bounds_of(scene.blocks[at(b)].vertices);
-    EXPECT_LE(before_m, box.low.x() + box.high.x());
-    before_m = box.low.x() + box.high.x();
+  for (const bool upwards : {true, false}) {
+    std::pair<double, double> before(-std::numeric_limits<double>::infinity(), 0);
+    for (const int b : from_left_to_right(scene, upwards)) {
+      const auto box = geometry::bounds_of(scene.blocks[at(b)].vertices);
+      const Eigen::Vector2d twice_middle = box.low + box.high;
+      const std::pair place(twice_middle.x(), upwards ? twice_middle.y() : -twice_middle.y());
+      EXPECT_LE(before, place);
+      before = place;
+    }
   }
 }
 

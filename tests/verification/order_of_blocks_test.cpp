@@ -5,9 +5,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "bridge/process/answers.hpp"
@@ -90,6 +93,27 @@ TEST(OrderOfBlocks, BothOrdersGiveTheSameFactor) {
     const double one = study::deciding_factor(safety_of(scene));
     const double other = study::deciding_factor(safety_of(reversed(scene)));
     EXPECT_NEAR(one, other, 0.06 * one) << seed;
+  }
+}
+
+/// BLOCKWEIR_CAMPAIGN=N: so many in place of a few.
+unsigned columns_tried() {
+  const char* asked = std::getenv("BLOCKWEIR_CAMPAIGN");
+  return asked == nullptr ? 12 : static_cast<unsigned>(std::stoul(asked));
+}
+
+TEST(OrderOfBlocks, WhetherAStructureIsSafeDoesNotDependOnIt) {
+  for (unsigned seed = 100; seed < 100 + columns_tried(); ++seed) {
+    const scene::Scene scene = scene::read_text(columns(seed), "columns").scene;
+    const bool is_safe = study::deciding_factor(safety_of(scene)) >= 1;
+    std::vector<int> order(scene.blocks.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::mt19937 random(seed);
+    for (int shuffled = 0; shuffled < 3; ++shuffled) {
+      std::shuffle(order.begin(), order.end(), random);
+      const scene::Scene other = scene::reordered(scene, order);
+      EXPECT_EQ(study::deciding_factor(safety_of(other)) >= 1, is_safe) << seed << ' ' << shuffled;
+    }
   }
 }
 
