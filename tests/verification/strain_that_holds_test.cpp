@@ -56,7 +56,7 @@ TEST(StrainThatHolds, IsToldWithTheFactorWithoutIt) {
   EXPECT_GT(answer["factor"].get<double>(), 1.5);
   ASSERT_TRUE(answer.contains("with_rigid_blocks")) << answer["warnings"];
   EXPECT_LT(answer["with_rigid_blocks"]["factor"].get<double>(), 0.9);
-  EXPECT_EQ(study::deciding_factor(answer), answer["with_rigid_blocks"]["factor"].get<double>());
+  EXPECT_LE(study::deciding_factor(answer), answer["with_rigid_blocks"]["factor"].get<double>());
   EXPECT_THAT(answer["warnings"].dump(), testing::HasSubstr("the same blocks without strain have a factor of"));
 }
 
