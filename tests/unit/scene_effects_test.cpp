@@ -193,6 +193,18 @@ TEST(SceneEffects, ABodyLoadWhereNothingCanMoveIsAnError) {
                {"[[body_load]] has no effect: no block can move"});
 }
 
+TEST(SceneEffects, ABodyLoadIsNotBlamedWhereTheBlocksThatItWouldMoveAreRefused) {
+  const std::string wall =
+      "[[wall]]\nname = \"w\"\nmaterial = \"m\"\nrows = 90000\ncolumns = 90000\n"
+      "brick_length_m = 1\nbrick_height_m = 1\n";
+  try {
+    read_text(all_fixed + wall + "[[body_load]]\nacceleration_x_m_per_s2 = 1\n", "scene.toml");
+    FAIL() << "no error";
+  } catch (const SceneError& error) {
+    EXPECT_EQ(error.diagnostics().size(), 1U) << error.what();
+  }
+}
+
 TEST(SceneEffects, ASceneInWhichNothingCanHappenIsAWarning) {
   expect_warning(all_fixed, 0, {"nothing can happen: all blocks are fixed, and there is no water"});
 }

@@ -115,7 +115,7 @@ std::vector<int> read_loaded_blocks(TableReader& table, Reading& reading) {
     for (std::size_t b = 0; b < reading.scene.blocks.size(); ++b) {
       if (!reading.scene.blocks[b].fixed) blocks.push_back(static_cast<int>(b));
     }
-    if (blocks.empty() && !reading.scene.blocks.empty()) {
+    if (blocks.empty() && reading.blocks.complete() && !reading.scene.blocks.empty()) {
       reject(table, reading.problems, "has no effect: no block can move", "a block that is not fixed",
              "leave it out, or free the block that it is to act on");
     }
