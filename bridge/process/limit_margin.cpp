@@ -24,8 +24,13 @@ std::string text_of(const json& found, bool fails) {
   const char* bound = found.value("upper_bound", false) ? "at most " : "";
   if (found["factor"].is_number()) {
     const double factor = found["factor"];
-    return fmt::format("{}{:.4g} on the strength of the joints{}: {}{}", bound, factor, level, how(),
-                       fails && factor >= 1 ? "; above 1 although it fails, as an upper bound may be" : "");
+    const bool any_forces = !fails && found.value("stands_by_any_forces", false);
+    const char* mind = fails && factor >= 1 ? "; above 1 although it fails, as an upper bound may be"
+                       : any_forces
+                           ? "; so many rigid blocks stand as long as any forces in the joints hold them, and strain "
+                             "may find others: \"blockweir safety\" asks"
+                           : "";
+    return fmt::format("{}{:.4g} on the strength of the joints{}: {}{}", bound, factor, level, how(), mind);
   }
   if (!fails && found.value("holds_nothing", false)) {
     return fmt::format(

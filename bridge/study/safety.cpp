@@ -119,8 +119,8 @@ double deciding_factor(const json& answer) {
   if (answer["factor"].is_number()) factor = answer["factor"];
   if (answer["limit_analysis_factor"].is_number())
     factor = std::min(factor, answer["limit_analysis_factor"].get<double>());
-  for (const char* lower : {"with_crushed_corners", "with_cracked_joint", "with_rigid_blocks", "with_blocks_reordered",
-                            "above_upper_bound"}) {
+  for (const char* lower : {"with_crushed_corners", "with_cracked_joint", "with_rigid_blocks", "with_straining_blocks",
+                            "with_blocks_reordered", "above_upper_bound"}) {
     if (answer.contains(lower)) factor = std::min(factor, answer[lower]["factor"].get<double>());
   }
   return factor;

@@ -182,6 +182,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     add_friction_history(structure, *blocks.value, *by_limit.value, answer);
     const auto jumps = jumps_below(structure, *by_limit.value);
     solid::add_rigid_blocks(structure, now, *blocks.value, jumps, answer);
+    solid::add_straining_blocks(structure, now, *blocks.value, jumps, answer);
     solid::add_strength_in_other_orders(structure, make_fluid, *blocks.value, jumps, answer);
     solid::add_brittle_bonds(structure, now, *blocks.value, limit::combined(dead, 1, stated), answer);
   }

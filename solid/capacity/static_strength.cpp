@@ -97,6 +97,7 @@ class Search {
     for (double step = nearest;; step *= 100) {
       effort_.knows(fmt::format("{} with strength over {:.6g}", first ? "stands" : "fails", stands_at_));
       double& end = first ? fails_at_ : stands_at_;
+      if (jumps_below_ && stands_at_ < *jumps_below_) step = std::max(step, of_motion);  // nothing is near
       if (by_motion_) step = std::clamp(step, of_motion, 3.0);  // far stronger joints wedge blocks for long
       end = first ? end * (1 + step) : end / (1 + step);
       if (creeps_) {

@@ -13,11 +13,13 @@ namespace {
 using nlohmann::json;
 
 /// The summary of a run with this outcome beside limit analysis with this factor.
-json told(const std::string& outcome, const json& factor, bool last_levels_acted = true) {
+json told(const std::string& outcome, const json& factor, bool last_levels_acted = true, bool any_forces = false) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "limit_margin";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "margin.json") << json{
-      {"factor", factor}, {"level_m", nullptr}, {"mechanism", {{"text", "block \"a\" slides"}}}};
+  std::ofstream(folder / "margin.json") << json{{"factor", factor},
+                                                {"level_m", nullptr},
+                                                {"mechanism", {{"text", "block \"a\" slides"}}},
+                                                {"stands_by_any_forces", any_forces}};
   json summary = {{"outcome", outcome}, {"warnings", json::array()}};
   if (!last_levels_acted) summary["last_levels_acted"] = false;
   LimitMargin(folder).add_to(summary);
@@ -47,6 +49,16 @@ TEST(LimitMargin, OtherwiseTheFactorIsToldAlone) {
   for (const auto& [outcome, factor] : {std::pair{"stands", 0.9995}, {"stands", 1.5}, {"fails", 0.93}}) {
     EXPECT_THAT(told(outcome, factor)["warnings"], testing::IsEmpty()) << outcome << factor;
   }
+}
+
+TEST(LimitMargin, ManyRigidBlocksThatStandPointToSafety) {
+  const auto text = [](const char* outcome, bool any_forces) {
+    return told(outcome, 1.5, true, any_forces)["limit_analysis"]["text"].get<std::string>();
+  };
+  const auto points = testing::HasSubstr("strain may find others: \"blockweir safety\" asks");
+  EXPECT_THAT(text("stands", true), points);
+  EXPECT_THAT(text("stands", false), testing::Not(points));
+  EXPECT_THAT(text("fails", true), testing::Not(points));
 }
 
 }  // namespace

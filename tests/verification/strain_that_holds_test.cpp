@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "bridge/process/answers.hpp"
 #include "bridge/scene/read/read.hpp"
@@ -64,6 +65,41 @@ TEST(StrainThatHolds, IsNotAskedForWhereEquilibriumDeterminesFriction) {
   const json answer = process::safety_answer(scene::read_text(columns(1), "column").scene, hydrostatic::make);
   EXPECT_NEAR(answer["factor"].get<double>(), std::tan(50 * radian) / std::tan(17.608 * radian), 1e-5);
   EXPECT_FALSE(answer.contains("with_rigid_blocks"));
+}
+
+/// Ten courses of 25 bricks on ground that slopes by 20 degrees.
+constexpr const char* leaning_wall = R"(analysis = { duration_s = 1, gravity_tilt_deg = 20, rigid = "all" }
+joint = { friction_angle_deg = 30 }
+material.m = { youngs_modulus_pa = 1e8, poissons_ratio = 0.2, density_kg_per_m3 = 2200 }
+[[block]]
+name = "ground"
+material = "m"
+fixed = true
+vertices_m = [[-30, -2], [60, -2], [60, 0], [-30, 0]]
+[[wall]]
+name = "b"
+material = "m"
+rows = 10
+columns = 2
+brick_length_m = 1
+brick_height_m = 0.5
+bond = "running"
+)";
+
+TEST(StrainThatLetsGo, IsToldWithTheFactorWithIt) {
+  const json answer = process::safety_answer(scene::read_text(leaning_wall, "wall").scene, hydrostatic::make);
+  EXPECT_GT(answer["factor"].get<double>(), 1.1);
+  ASSERT_TRUE(answer.contains("with_straining_blocks")) << answer["warnings"];
+  EXPECT_LT(answer["with_straining_blocks"]["factor"].get<double>(), 0.9);
+  EXPECT_LE(study::deciding_factor(answer), answer["with_straining_blocks"]["factor"].get<double>());
+  EXPECT_THAT(answer["warnings"].dump(), testing::HasSubstr("the same blocks with strain have a factor of"));
+}
+
+TEST(StrainThatLetsGo, IsToldBesideTheLevel) {
+  const std::string pushed = "[[body_load]]\nacceleration_x_m_per_s2 = 3\n[water]\nupstream_level_m = 1\n";
+  const scene::Scene scene = scene::read_text(leaning_wall + pushed, "wall", {"analysis.gravity_tilt_deg=0"}).scene;
+  const json answer = process::level_answer(scene, hydrostatic::make);
+  EXPECT_THAT(answer["warnings"].dump(), testing::HasSubstr("with strain the same blocks do not stand at"));
 }
 
 }  // namespace

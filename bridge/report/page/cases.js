@@ -23,6 +23,7 @@ function strengthFactors() {
     add(c.limit_analysis_factor, 'limit analysis');
     for (const [key, way] of [['with_crushed_corners', 'limit analysis with corners that are crushed'], ['with_cracked_joint', 'limit analysis with cohesion on what is not in tension alone'],
       ['with_rigid_blocks', 'the statics of the blocks without strain'],
+      ['with_straining_blocks', 'the statics of the blocks with strain'],
       ['with_blocks_reordered', 'the statics of the blocks listed in another order']]) if (c[key]) add(c[key].factor, way);
     for (const j of withElevations(c.joints || [])) add(j.sliding_factor, `the forces in joint "${j.name}"`);
   }
