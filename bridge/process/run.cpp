@@ -119,7 +119,7 @@ void complete_summary(const fs::path& folder, const std::string& fluid, RunResul
 bool is_refusal(const Supervised& supervised) {
   return !supervised.interrupted && !supervised.overdue &&
          std::all_of(supervised.ends.begin(), supervised.ends.end(), [](const ChildEnd& end) {
-           return end.exit_code == 0 || (end.exit_code <= 2 && !end.last_line.empty());
+           return !end.stopped && (end.exit_code == 0 || (end.exit_code <= 2 && !end.last_line.empty()));
          });
 }
 

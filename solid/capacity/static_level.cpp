@@ -196,7 +196,7 @@ class LevelSearch {
   double rests_m_;
   double fails_m_ = unknown;
   std::string resting_;  ///< the blocks at rests_m_
-  SearchBudget effort_{"level by the blocks"};
+  SearchBudget effort_{scene_.analysis.rigid == scene::Rigid::all ? "level by rigid blocks" : "level by the blocks"};
   StaticBlocks blocks_;
   LevelClues clues_;
   std::optional<double> settles_m_;

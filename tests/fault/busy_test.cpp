@@ -108,6 +108,15 @@ TEST_F(Busy, AStoppedPartnerIsNamedAndLeavesACheckpoint) {
   }
 }
 
+TEST_F(Busy, OfASolidThatWasStoppedBeforeItsFirstCheckpointItIsSaidThatThereIsNone) {
+  const pid_t pid = start_long_run("--set coupling.window_s=50 --set coupling.timeout_s=1");
+  const auto says = [&] { return text("log").find(" solutions so far\n") != std::string::npos; };
+  for (int wait = 0; wait < 600 && !says(); ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_TRUE(signal_child(pid, "solid", "STOP"));
+  EXPECT_EQ(end_of(pid, 20), 1) << text("log");
+  EXPECT_THAT(text("log"), HasSubstr("it has no checkpoint yet to resume from: run it anew"));
+}
+
 /// In the middle of a window that would take minutes.
 TEST_F(Busy, AKilledPartnerIsNamedByTheOneThatItKeptWaiting) {
   const pid_t pid = start_long_run("--quiet --set coupling.window_s=50");
