@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -16,12 +15,7 @@ namespace blockweir::solid::expect {
 namespace {
 
 std::string mode(const Outcome& o, const std::string& subject) {
-  const auto& failures = o.failure.failures();
-  const auto found = std::find_if(failures.begin(), failures.end(), [&](const Failure& f) {
-    return subject.empty() ||
-           std::count(f.blocks.begin(), f.blocks.end(), static_cast<int>(block_index(o.solid, subject))) > 0;
-  });
-  if (found != failures.end()) return found->mode;
+  if (const Failure* failure = failure_of(o, subject)) return failure->mode;
   return o.failure.moving() ? "moving" : "stands";
 }
 

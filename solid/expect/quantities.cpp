@@ -38,6 +38,15 @@ std::size_t block_index(const Solid& solid, const std::string& name) {
   return static_cast<std::size_t>(found - blocks.begin());
 }
 
+const Failure* failure_of(const Outcome& o, const std::string& subject) {
+  const auto& failures = o.failure.failures();
+  const int block = subject.empty() ? -1 : static_cast<int>(block_index(o.solid, subject));
+  const auto found = std::find_if(failures.begin(), failures.end(), [&](const Failure& f) {
+    return block < 0 || std::count(f.blocks.begin(), f.blocks.end(), block) > 0;
+  });
+  return found == failures.end() ? nullptr : &*found;
+}
+
 std::vector<std::string> quantity_names() {
   std::vector<std::string> names;
   for (const auto& [name, function] : quantities()) names.push_back(name);

@@ -13,9 +13,10 @@ namespace blockweir::solid::expect {
 namespace {
 
 template <double Failure::*Member>
-double of_first_failure(const Outcome& o, const std::string&) {
-  if (o.failure.failures().empty()) throw NoFigure("no failure");
-  return o.failure.failures().front().*Member;
+double of_failure(const Outcome& o, const std::string& subject) {
+  const Failure* failure = failure_of(o, subject);
+  if (failure == nullptr) throw NoFigure(subject.empty() ? "no failure" : "no failure of " + subject);
+  return failure->*Member;
 }
 
 /// Against the base.
@@ -158,9 +159,9 @@ double hinges(const Outcome& o, const std::string& subject) {
 }  // namespace
 
 const Quantities& state_quantities() {
-  static const Quantities all = {{"failure_level_m", of_first_failure<&Failure::level_m>},
-                                 {"failure_head_m", of_first_failure<&Failure::head_m>},
-                                 {"failure_time_s", of_first_failure<&Failure::time_s>},
+  static const Quantities all = {{"failure_level_m", of_failure<&Failure::level_m>},
+                                 {"failure_head_m", of_failure<&Failure::head_m>},
+                                 {"failure_time_s", of_failure<&Failure::time_s>},
                                  {"displacement_m", displacement},
                                  {"acceleration_m_per_s2", acceleration},
                                  {"reaction_n_per_m", reaction},

@@ -23,4 +23,8 @@ double slip_over_balance(const Outcome& o, const std::string& subject);
 /// The block of that name; a joint means the upper of its two blocks. Throws std::runtime_error.
 std::size_t block_index(const Solid& solid, const std::string& name);
 
+/// The failure that takes the subject with it, the first of all for an empty one; null if there is none. Throws as
+/// block_index does.
+const Failure* failure_of(const Outcome& o, const std::string& subject);
+
 }  // namespace blockweir::solid::expect
