@@ -133,6 +133,16 @@ void add_load_factor(const limit::LimitAnalysis& structure, const limit::Wrenche
   }
 }
 
+/// Where equilibrium does not determine friction: the same blocks with other strain and in other orders.
+void add_what_friction_decides(const limit::LimitAnalysis& structure, Situation& now, const FluidMaker& make_fluid,
+                               const StaticStrength& blocks, const limit::LimitStrength& bound, json& answer) {
+  add_friction_history(structure, blocks, bound, answer);
+  const auto jumps = jumps_below(structure, bound);
+  solid::add_rigid_blocks(structure, now, blocks, jumps, answer);
+  solid::add_straining_blocks(structure, now, blocks, jumps, answer);
+  solid::add_strength_in_other_orders(structure, make_fluid, blocks, jumps, answer);
+}
+
 }  // namespace
 
 json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
@@ -176,20 +186,17 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["warnings"] = warnings_of_water(now);
   solid::add_motion_left_out(scene, answer);
   solid::add_moved_supports(scene, answer);
+  const limit::Wrenches loads = limit::combined(dead, 1, stated);
   if (by_limit.value && blocks.value) {
     solid::add_contradiction(*blocks.value, *by_limit.value, answer);
     add_what_is_above_the_bound(*blocks.value, *by_limit.value, answer);
-    add_friction_history(structure, *blocks.value, *by_limit.value, answer);
-    const auto jumps = jumps_below(structure, *by_limit.value);
-    solid::add_rigid_blocks(structure, now, *blocks.value, jumps, answer);
-    solid::add_straining_blocks(structure, now, *blocks.value, jumps, answer);
-    solid::add_strength_in_other_orders(structure, make_fluid, *blocks.value, jumps, answer);
-    solid::add_brittle_bonds(structure, now, *blocks.value, limit::combined(dead, 1, stated), answer);
+    add_what_friction_decides(structure, now, make_fluid, *blocks.value, *by_limit.value, answer);
+    solid::add_brittle_bonds(structure, now, *blocks.value, loads, answer);
   }
   if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);
   if (blocks.value) solid::add_stretch_of_anchors(now, *blocks.value, answer);
   if (by_limit.value) {
-    solid::add_strength_with_crushed_corners(structure, limit::combined(dead, 1, stated), *by_limit.value, answer);
+    solid::add_strength_with_crushed_corners(structure, loads, *by_limit.value, answer);
   }
   const bool as_drawn = answer["outcome"] != "not found" || !answer.contains("contradiction");
   if (blocks.value && as_drawn)
