@@ -180,7 +180,9 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const bool strains = solid::strains(scene);
   if (strains) {
     const scene::Scene rigid = solid::with_rigid_blocks(scene);
+    clues.whose = "level by rigid blocks";
     levels.rigid = solid::attempt([&] { return solid::static_level(rigid, water, exact, clues); });
+    clues.whose = solid::LevelClues{}.whose;
   }
   clues.suspect_m = levels.rigid_level();
   levels.blocks = solid::attempt([&] { return solid::static_level(scene, water, exact, clues); });

@@ -31,8 +31,8 @@ class LevelSearch {
         range_m_(full_m_ - water.range().empty_m),
         width_m_(width * range_m_),
         rests_m_(water.range().empty_m),
-        blocks_(scene, &water, effort_),
-        clues_(clues) {}
+        clues_(clues),
+        blocks_(scene, &water, effort_) {}
 
   StaticLevel found() {
     tell("nothing known yet");
@@ -196,9 +196,9 @@ class LevelSearch {
   double rests_m_;
   double fails_m_ = unknown;
   std::string resting_;  ///< the blocks at rests_m_
-  SearchBudget effort_{scene_.analysis.rigid == scene::Rigid::all ? "level by rigid blocks" : "level by the blocks"};
-  StaticBlocks blocks_;
   LevelClues clues_;
+  SearchBudget effort_{clues_.whose};
+  StaticBlocks blocks_;
   std::optional<double> settles_m_;
   double followed_ = 10;  ///< displacement within which blocks may come to rest, over failure's, for each share of the
                           ///< range

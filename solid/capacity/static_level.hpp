@@ -31,9 +31,10 @@ struct StaticLevel {
 
 /// What limit analysis or blocks without strain have said before.
 struct LevelClues {
-  std::optional<double> limit_m;    ///< level of failure by limit analysis
-  std::optional<double> suspect_m;  ///< a level below which all loads are also tried at once
-  bool falls_as_drawn = false;      ///< limit analysis has a mechanism under the empty reservoir: see most_systems
+  std::optional<double> limit_m;              ///< level of failure by limit analysis
+  std::optional<double> suspect_m;            ///< a level below which all loads are also tried at once
+  const char* whose = "level by the blocks";  ///< name of the search in lines of progress
+  bool falls_as_drawn = false;  ///< limit analysis has a mechanism under the empty reservoir: see most_systems
 };
 
 /// `width`: of the final bracket, over the rise from the empty reservoir; wider where blocks settle before failure.
