@@ -90,14 +90,14 @@ uplift = "none"
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   kill(report, SIGINT);
   EXPECT_EQ(end_of(report, 20), 130);
-  EXPECT_THAT(text("log"), testing::AllOf(HasSubstr("level by the blocks: "), HasSubstr("report  r/report.html")));
+  EXPECT_THAT(text("log"), testing::AllOf(HasSubstr("level by rigid blocks: "), HasSubstr("report  r/report.html")));
   const nlohmann::json seen = opened("r/report.html");
   ASSERT_TRUE(seen.is_object()) << text("log") << text("browser.log");
   EXPECT_EQ(seen["faults"], nlohmann::json::array());
   EXPECT_THAT(seen["verdict"].get<std::string>(),
               testing::AllOf(HasSubstr("The structure STANDS"), HasSubstr("No answer on factors of safety: not asked"),
                              HasSubstr("No answer on the level of failure: stopped on request; known by then: level by "
-                                       "the blocks: ")));
+                                       "rigid blocks: ")));
 }
 
 }  // namespace
