@@ -123,7 +123,7 @@ scene::Scene with_straining_blocks(scene::Scene scene) {
 bool stands_by_any_forces(const scene::Scene& scene, bool determined) {
   constexpr int few = 20;
   const auto moving = std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const auto& b) { return !b.fixed; });
-  return moving > few && !determined && !strains(scene);
+  return moving > few && scene.bolts.empty() && !determined && !strains(scene);
 }
 
 }  // namespace blockweir::solid

@@ -74,7 +74,8 @@ scene::Scene with_rigid_blocks(scene::Scene scene);
 scene::Scene with_straining_blocks(scene::Scene scene);
 
 /// Whether the scene has so many rigid blocks that they stand as long as any admissible forces in their joints hold
-/// them (NUMERICS.md, "Many rigid blocks at rest"), and equilibrium does not determine these.
+/// them (NUMERICS.md, "Many rigid blocks at rest"; anchors are not part of that), and equilibrium does not determine
+/// these.
 bool stands_by_any_forces(const scene::Scene& scene, bool determined);
 
 }  // namespace blockweir::solid
