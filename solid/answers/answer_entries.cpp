@@ -114,16 +114,4 @@ scene::Scene with_rigid_blocks(scene::Scene scene) {
   return scene;
 }
 
-scene::Scene with_straining_blocks(scene::Scene scene) {
-  scene.analysis.rigid = scene::Rigid::none;
-  for (scene::Block& block : scene.blocks) block.rigid = false;
-  return scene;
-}
-
-bool stands_by_any_forces(const scene::Scene& scene, bool determined) {
-  constexpr int few = 20;
-  const auto moving = std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const auto& b) { return !b.fixed; });
-  return moving > few && scene.bolts.empty() && !determined && !strains(scene);
-}
-
 }  // namespace blockweir::solid

@@ -70,12 +70,5 @@ bool has_bonds(const scene::Scene& scene);
 bool strains(const scene::Scene& scene);
 /// The same scene with rigid blocks.
 scene::Scene with_rigid_blocks(scene::Scene scene);
-/// The same scene with blocks that strain.
-scene::Scene with_straining_blocks(scene::Scene scene);
-
-/// Whether the scene has so many rigid blocks that they stand as long as any admissible forces in their joints hold
-/// them (NUMERICS.md, "Many rigid blocks at rest"; anchors are not part of that), and equilibrium does not determine
-/// these.
-bool stands_by_any_forces(const scene::Scene& scene, bool determined);
 
 }  // namespace blockweir::solid

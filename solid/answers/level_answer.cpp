@@ -13,8 +13,8 @@
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/crushed_corners.hpp"
 #include "solid/answers/found_levels.hpp"
+#include "solid/answers/strain_that_lets_go.hpp"
 #include "solid/capacity/static_level.hpp"
-#include "solid/capacity/static_strength.hpp"
 #include "solid/expect/formula_tables.hpp"
 #include "solid/expect/formulas.hpp"
 #include "solid/limit/limit_level.hpp"
@@ -137,28 +137,6 @@ json difference_json(const FoundLevels& levels, const json& by_limit) {
   return answer;
 }
 
-/// Warns where many rigid blocks stand at a level by forces that the same blocks with strain do not find.
-void add_strain_that_lets_go(const scene::Scene& scene, const limit::LimitAnalysis& structure, StillWater& water,
-                             const Attempt<StaticLevel>& by_blocks, json& answer) {
-  constexpr double share = 0.95;  // of the rise
-  constexpr std::size_t many = 100;
-  if (!solid::stands_by_any_forces(scene, structure.is_exact()) || !by_blocks.value) return;
-  if (by_blocks.value->outcome == Filled::does_not_stand_empty) return;
-  const std::string why = "rigid blocks stand as long as any forces in the joints hold them, and strain finds others";
-  const std::string ask = "analysis.rigid=none finds their level";
-  if (scene.blocks.size() > many) {
-    answer["warnings"].push_back(fmt::format("{}: they may fail at a lower level; {}, but takes long", why, ask));
-    return;
-  }
-  const double empty_m = water.range().empty_m;
-  const double lower_m = empty_m + share * (by_blocks.value->level_m - empty_m);
-  const scene::Scene straining = solid::with_straining_blocks(scene);
-  const auto stand = solid::attempt([&] { return solid::stands(straining, &water, lower_m); });
-  if (stand.value && *stand.value) return;
-  answer["warnings"].push_back(fmt::format("with strain the same blocks {} at {:.5g} m: {}; {}",
-                                           stand.value ? "do not stand" : "are not known to stand", lower_m, why, ask));
-}
-
 }  // namespace
 
 json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
@@ -207,7 +185,7 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     const std::string crest = solid::output::water_on_crest_warning(scene, levels.blocks.value->level_m);
     if (!crest.empty()) answer["warnings"].push_back(crest);
   }
-  add_strain_that_lets_go(scene, structure, water, levels.blocks, answer);
+  if (levels.blocks.value) solid::add_strain_that_lets_go(structure, water, *levels.blocks.value, answer);
   if (levels.limit.value) {
     solid::add_level_with_crushed_corners(structure, dead, water_at, water.range(), *levels.limit.value, answer);
   }

@@ -8,6 +8,7 @@
 #include "bridge/statics/loads.hpp"
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/crushed_corners.hpp"
+#include "solid/answers/strain_that_lets_go.hpp"
 #include "solid/capacity/situation.hpp"
 #include "solid/limit/limit_strength.hpp"
 
@@ -74,7 +75,7 @@ json margin_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   const limit::Wrenches stated = statics::stated_loads_of(scene, scene.analysis.duration_s);
   json answer = margin_of(now, structure, limit::combined(now.dead(), 1, stated));
   solid::add_what_limit_analysis_takes(structure, answer);
-  answer["stands_by_any_forces"] = solid::stands_by_any_forces(scene, structure.is_exact());
+  answer["stands_by_any_forces"] = solid::stands_by_any_forces(structure);
   answer["level_m"] = std::isnan(now.level_m) ? json() : json(now.level_m);
   return answer;
 }

@@ -15,6 +15,7 @@
 #include "solid/answers/joint_answer.hpp"
 #include "solid/answers/other_orders.hpp"
 #include "solid/answers/safety_reserves.hpp"
+#include "solid/answers/strain_that_lets_go.hpp"
 #include "solid/answers/water_by_kind.hpp"
 #include "solid/capacity/situation.hpp"
 #include "solid/capacity/static_strength.hpp"
@@ -139,7 +140,7 @@ void add_what_friction_decides(const limit::LimitAnalysis& structure, Situation&
   add_friction_history(structure, blocks, bound, answer);
   const auto jumps = jumps_below(structure, bound);
   solid::add_rigid_blocks(structure, now, blocks, jumps, answer);
-  solid::add_straining_blocks(structure, now, blocks, jumps, answer);
+  solid::add_strain_that_lets_go(structure, now, blocks, jumps, answer);
   solid::add_strength_in_other_orders(structure, make_fluid, blocks, jumps, answer);
 }
 

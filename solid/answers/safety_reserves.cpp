@@ -157,30 +157,6 @@ void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, con
   answer["warnings"].push_back(text);
 }
 
-void add_straining_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
-                          std::optional<double> jumps_below, nlohmann::json& answer) {
-  constexpr std::size_t many = 100;
-  if (!stands_by_any_forces(now.scene, structure.is_exact()) || found.bearing == Bearing::bears_none) return;
-  const std::string why = "rigid blocks stand as long as any forces in the joints hold them, and strain finds others";
-  if (now.scene.blocks.size() > many) {
-    answer["warnings"].push_back(why + ": the factor may be lower (not asked for, as it takes long: rigid = \"none\")");
-    return;
-  }
-  const scene::Scene straining = with_straining_blocks(now.scene);
-  const auto with = attempt([&] { return strength_if_lower(straining, now, found, jumps_below); });
-  if (!with.value) {
-    answer["warnings"].push_back(
-        fmt::format("{}: the factor may be lower, which was not found: {}", why, with.why_not));
-    return;
-  }
-  if (with.value->bearing == Bearing::bears_any) return;
-  const double factor = with.value->bearing == Bearing::bears_none ? 0 : with.value->factor;
-  const std::string text =
-      fmt::format("the same blocks with strain have a factor of {:.4g}: {}; the lower counts", factor, why);
-  answer["with_straining_blocks"] = {{"factor", factor}, {"text", text}};
-  answer["warnings"].push_back(text);
-}
-
 void add_brittle_bonds(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
                        const limit::Wrenches& loads, nlohmann::json& answer) {
   constexpr double share = 0.95;

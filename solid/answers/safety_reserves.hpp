@@ -25,15 +25,9 @@ void add_stretch_of_anchors(Situation& now, const StaticStrength& found, nlohman
 
 /// Strain presses blocks against each other, by Poisson's ratio and by settling, and where equilibrium does not
 /// determine friction that may hold a structure that falls otherwise. Adds "with_rigid_blocks" {"factor", "text"} and a
-/// warning with that text if the same blocks without strain fail with a strength that is larger by a twentieth.
+/// warning with that text if the same blocks without strain fail with more strength (other_orders.hpp).
 void add_rigid_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
                       std::optional<double> jumps_below, nlohmann::json& answer);
-
-/// Many rigid blocks stand as long as any forces in their joints hold them; strain finds others. Adds
-/// "with_straining_blocks" {"factor", "text"} and a warning with that text if the same blocks with strain fail with a
-/// strength that is larger by a twentieth. Of more than 100 blocks, of which an analysis takes minutes, it only warns.
-void add_straining_blocks(const limit::LimitAnalysis& structure, Situation& now, const StaticStrength& found,
-                          std::optional<double> jumps_below, nlohmann::json& answer);
 
 /// Where joints close loops and slip destroys their bonds, the one that breaks first decides.
 /// Adds "without_bonds" {"factor", "text"}, by limit analysis with residual friction alone, and a warning with that

@@ -11,8 +11,7 @@ namespace blockweir::solid::limit {
 struct LevelRange {
   double empty_m = 0;  ///< the model's lowest vertex
   double full_m = 0;   ///< the crest; with overtopping, as high above the crest as the crest is above the base
-  std::vector<double>
-      lower_tops_m{};  ///< just below those of structures on the ground that are lower than it, ascending
+  std::vector<double> lower_tops_m{};  ///< just below those of lower structures on the ground, ascending
 };
 LevelRange level_range(const scene::Scene& scene);
 

@@ -145,17 +145,19 @@ void InitialEquilibrium::hold(const Stretch& pseudo_step, const StepMode& mode, 
       dt /= 4;
       if (solves()) return true;
     }
+    if (held.initial_penalty) {
+      // What the scene starts with may be far too small for a high stack: the blocks' own stiffness knows better.
+      held.initial_penalty = std::nullopt;
+      set(held);
+      if (solves()) return true;
+    }
     // Gaps may hover just above round-off, or close so slowly that joints would lock: both are nothing.
     for (const double round_offs : {4.0, 4e3}) {
       held.closed_round_offs = round_offs;
       set(held);
       if (solves()) return true;
     }
-    if (!held.initial_penalty) return false;
-    // What the scene starts with may be far too small for a high stack: the blocks' own stiffness knows better.
-    held.initial_penalty = std::nullopt;
-    set(held);
-    return solves();
+    return false;
   };
   for (int step = 0;; ++step) {
     state_.stop();
