@@ -74,9 +74,8 @@ class PointForces {
     shear_per_slip_ = one / law.slip_by_shear;
     normal_per_gap_ = one / law.gap_by_normal;
     for (const int k : {0, 1}) {
-      const T side = T{} + (k == 0 ? -1.0 : 1.0);
+      const double side = side_of(k);
       Slipping& s = slipping_[k];
-      s.side = side;
       const T by_shear = law.gap_by_shear - law.opening[k] * law.slip_by_shear;
       const T by_normal = law.gap_by_normal - law.opening[k] * law.gap_by_shear + side * law.friction * by_shear;
       s.gap_by_cohesion = law.cohesion > T{} ? by_shear * side * law.cohesion : T{};
@@ -85,37 +84,41 @@ class PointForces {
   }
 
   /// `gap`, `slip`: values without the forces [m]. For one point Coulomb's law has at least one solution if friction
-  /// does not jam; if it does, the shear is left out.
+  /// does not jam; if it does, the shear is left out. `dry`: the rule is (ForceRule::is_dry), which takes less.
+  template <bool dry = false>
   [[nodiscard, gnu::always_inline]] Found at(const T& gap, const T& slip) const {
     const T none{};
     const T free_normal = -(stiffness_[0] * gap + stiffness_[1] * slip);
     const T free_shear = -(stiffness_[1] * gap + stiffness_[2] * slip);
-    const T normal = within(free_normal);
+    const T normal = within<dry>(free_normal);
     const T shear = normal == free_normal ? free_shear : -(slip + law_.gap_by_shear * normal) * shear_per_slip_;
-    const Slip minus = slipping(0, gap, slip);
-    const Slip plus = slipping(1, gap, slip);
-    const T jammed = within(-gap * normal_per_gap_);
-    const T minus_normal = minus.fits ? minus.normal : plus.fits ? plus.normal : jammed;
-    const T minus_shear = minus.fits ? minus.shear : plus.fits ? plus.shear : none;
-    const T plus_normal = plus.fits ? plus.normal : minus.fits ? minus.normal : jammed;
-    const T plus_shear = plus.fits ? plus.shear : minus.fits ? minus.shear : none;
-    const Mask sticks = magnitude(shear) <= bound(normal);
-    const Mask opens = (law_.opens > none) & (gap >= (slip > none ? law_.opening[0] : law_.opening[1]) * slip);
-    const T at_bound = shear > none ? plus_normal : minus_normal;
-    const T shear_at_bound = shear > none ? plus_shear : minus_shear;
-    return {opens    ? none
-            : sticks ? normal
-                     : at_bound,
-            opens    ? none
-            : sticks ? shear
-                     : shear_at_bound,
+    const Slip minus = slipping<dry>(0, gap, slip);
+    const Slip plus = slipping<dry>(1, gap, slip);
+    const T jammed = within<dry>(-gap * normal_per_gap_);
+    const Mask to_plus = plus.fits & ((shear > none) | (minus.fits == Mask{}));
+    const Mask sticks = magnitude(shear) <= bound<dry>(normal);
+    Mask opens = law_.opens > none;
+    if constexpr (dry) {
+      opens &= gap >= none;
+    } else {
+      opens &= gap >= (slip > none ? law_.opening[0] : law_.opening[1]) * slip;
+    }
+    return {opens        ? none
+            : sticks     ? normal
+            : to_plus    ? plus.normal
+            : minus.fits ? minus.normal
+                         : jammed,
+            opens        ? none
+            : sticks     ? shear
+            : to_plus    ? plus.shear
+            : minus.fits ? minus.shear
+                         : none,
             (opens | sticks) == Mask{}};
   }
 
  private:
   /// Shear of one sign at its bound.
   struct Slipping {
-    T side{};
     T gap_by_cohesion{};  ///< of the gap that the contact resists, gap - opening * slip
     T normal_per_gap{};   ///< that closes it; 0: none does
   };
@@ -125,20 +128,27 @@ class PointForces {
     Mask fits{};  ///< a normal force closes the gap, and the slip is to the right side
   };
 
+  [[nodiscard, gnu::always_inline]] static constexpr double side_of(int k) { return k == 0 ? -1 : 1; }
   [[nodiscard, gnu::always_inline]] static T magnitude(const T& x) { return x < T{} ? -x : x; }
+  template <bool dry>
   [[nodiscard, gnu::always_inline]] T within(const T& normal) const {
+    if constexpr (dry) return normal < T{} ? T{} : normal;
     const T least = normal < law_.least_normal ? law_.least_normal : normal;
     return law_.most_normal < least ? law_.most_normal : least;
   }
+  template <bool dry>
   [[nodiscard, gnu::always_inline]] T bound(const T& normal) const {
+    if constexpr (dry) return law_.friction * normal;
     const T shear = law_.cohesion + law_.friction * normal;
     return shear > T{} ? shear : T{};
   }
+  template <bool dry>
   [[nodiscard, gnu::always_inline]] Slip slipping(int k, const T& gap, const T& slip) const {
     const Slipping& s = slipping_[k];
-    const T normal = within(-(gap - law_.opening[k] * slip + s.gap_by_cohesion) * s.normal_per_gap);
-    const T shear = s.side * bound(normal);
-    const T left = s.side * (slip + law_.gap_by_shear * normal + law_.slip_by_shear * shear);
+    const T resisted = dry ? gap : gap - law_.opening[k] * slip + s.gap_by_cohesion;
+    const T normal = within<dry>(-resisted * s.normal_per_gap);
+    const T shear = side_of(k) * bound<dry>(normal);
+    const T left = side_of(k) * (slip + law_.gap_by_shear * normal + law_.slip_by_shear * shear);
     const Mask fits = (s.normal_per_gap != T{}) & (left <= T{});
     return {normal, shear, fits};
   }

@@ -44,7 +44,7 @@ template <int count>
   }
 }
 
-template <int first, int second>
+template <int first, int second, bool dry>
 [[gnu::always_inline]] inline void visit(RowBatch& b, const BatchEntry* entries, double by, double part,
                                          double* displacement, BatchProgress& progress) {
   const BatchEntry* of_first = entries + b.ends[0].first_entry;
@@ -57,7 +57,7 @@ template <int first, int second>
   Four moved_second[most_unknowns];
   look<first>(b.ends[0], of_first, displacement, moved_first, gap, slip);
   look<second>(b.ends[1], of_second, displacement, moved_second, gap, slip);
-  const auto found = b.forces.at(gap, slip);
+  const auto found = b.forces.at<dry>(gap, slip);
   const Four more_normal = part * (found.normal - normal);
   const Four more_shear = part * (found.shear - shear);
   act<first>(b.ends[0], of_first, more_normal, more_shear, moved_first, displacement);
@@ -76,19 +76,22 @@ template <int first, int second>
                                       magnitude(b.gap_by_shear * more_normal + b.slip_by_shear * more_shear)));
 }
 
+/// Of rigid blocks that have come loose, most of what is swept.
+[[gnu::always_inline]] inline bool is_loose(const RowBatch& b) {
+  return b.ends[0].count == 3 && b.ends[1].count == 3 && b.dry;
+}
+
 }  // namespace
 
+// A loop for each kind: what both would keep in registers are too many for one.
 BLOCKWEIR_WIDE_VECTORS void sweep_batches(std::vector<RowBatch>& batches, const std::vector<BatchEntry>& entries,
                                           double by, double part, double* displacement, BatchProgress& progress) {
+  const BatchEntry* const all = entries.data();
+  const auto end = batches.end();
   BatchProgress so_far;
-  for (RowBatch& b : batches) {
-    const int first = b.ends[0].count;
-    const int second = b.ends[1].count;
-    if (first == 3 && second == 3) {  // of rigid blocks, most of what is swept
-      visit<3, 3>(b, entries.data(), by, part, displacement, so_far);
-    } else {
-      visit<0, 0>(b, entries.data(), by, part, displacement, so_far);
-    }
+  for (auto b = batches.begin(); b != end;) {
+    for (; b != end && is_loose(*b); ++b) visit<3, 3, true>(*b, all, by, part, displacement, so_far);
+    for (; b != end && !is_loose(*b); ++b) visit<0, 0, false>(*b, all, by, part, displacement, so_far);
   }
   progress = so_far;
 }

@@ -36,6 +36,7 @@ struct alignas(sizeof(Four)) RowBatch {
   PointForces<Four>::Mask slips{};
   std::array<BatchEnd, 2> ends;
   std::array<int, lanes> row = {-1, -1, -1, -1};
+  bool dry = true;  ///< the rules of all
 };
 
 /// Of four rows the same number.

@@ -83,9 +83,11 @@ void RowBatches::begin(const std::vector<ForceRow>& rows) {
     law.gap_by_normal += 1.0;  // of lanes without a row, which are open
     law.slip_by_shear += 1.0;
     law.opens += 1.0;
+    batch.dry = true;
     for (int lane = 0; lane < lanes; ++lane) {
       if (batch.row[at(lane)] < 0) continue;
       const ForceRow& row = rows[at(batch.row[at(lane)])];
+      batch.dry = batch.dry && row.rule.is_dry();
       const PointForces<double>::Law rule = law_of(row.rule, row.flexibility);
       law.friction[lane] = rule.friction;
       law.cohesion[lane] = rule.cohesion;

@@ -89,5 +89,24 @@ TEST(ForceRule, HoldsForRandomPoints) {
   }
 }
 
+TEST(ForceRule, OfADryPointIsTheSameInFewerOperations) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> any;
+  std::uniform_real_distribution<double> share;
+  for (int k = 0; k < 20000; ++k) {
+    Eigen::Matrix2d root;
+    root << any(random), any(random), any(random), any(random);
+    const Eigen::Matrix2d W = root * root.transpose() + 0.05 * round;
+    const PointForces<double> point(law_of({.friction = 3 * share(random)}, W));  // steep ones jam
+    const double gap = any(random);
+    const double slip = any(random);
+    const auto expected = point.at(gap, slip);
+    const auto found = point.at<true>(gap, slip);
+    EXPECT_EQ(found.normal, expected.normal) << k;
+    EXPECT_EQ(found.shear, expected.shear) << k;
+    EXPECT_EQ(found.slips, expected.slips) << k;
+  }
+}
+
 }  // namespace
 }  // namespace blockweir::solid::force_rule_test
