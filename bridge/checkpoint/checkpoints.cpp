@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kept = 2;
-constexpr int format = 13;
+constexpr int format = 14;
 
 std::uint64_t checksum(const std::string& bytes) {
   return wire::checksum(bytes.data(), bytes.size());

@@ -85,6 +85,7 @@ void Exchange::receive() {
 
 void Exchange::send_and_receive(wire::Motion& motion, double time_s) {
   send(motion, time_s);
+  if (fluid_ != nullptr && !silent_) solid_.prepare();
   try {
     receive();
   } catch (const channel::PeerError&) {

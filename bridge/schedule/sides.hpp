@@ -31,6 +31,8 @@ class SolidSide : public Resumable {
   virtual void advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) = 0;
   /// Writes results. Called after each advance(), when the next motion has been sent and the fluid is stepping.
   virtual void record() {}
+  /// Does what the next advance() needs no pressures for. Called where the solid would wait for them.
+  virtual void prepare() {}
   /// Whether nothing moved in the last window.
   [[nodiscard]] virtual bool at_rest() const { return false; }
   /// Whether the rest of the run can bring nothing new.

@@ -113,6 +113,11 @@ void CoupledSolid::advance(const wire::Load& load, const wire::Motion& sent, dou
   unrecorded_ = to_s;
 }
 
+void CoupledSolid::prepare() {
+  const Stopwatch watch(step_s_);
+  solid_.prepare();
+}
+
 bool CoupledSolid::at_rest() const {
   return failure_.at_rest();
 }

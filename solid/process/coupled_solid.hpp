@@ -29,6 +29,7 @@ class CoupledSolid final : public schedule::SolidSide {
   void start(const wire::Load& load) override;
   void advance(const wire::Load& load, const wire::Motion& sent, double from_s, double to_s) override;
   void record() override;
+  void prepare() override;
   [[nodiscard]] bool at_rest() const override;
   [[nodiscard]] bool finished() const override;
   [[nodiscard]] std::string state() const override;

@@ -35,6 +35,11 @@ class Solid {
   /// The same under constant water pressure; the velocities are the present ones of the blocks.
   void advance(double from_s, double to_s, const std::vector<Panel>& water, const AddedMasses& masses = {});
 
+  /// Finds the contacts of the next step, which advance() would otherwise do. Nothing may move the blocks meanwhile.
+  void prepare() {
+    if (state_.started) time_step_.find_contacts_ahead();
+  }
+
   /// Is it proved that the blocks cannot rest where they are, under this water and the loads of that time? Only of many
   /// rigid ones in static analyses.
   bool must_move(double at_s, const std::vector<Panel>& water) { return rest_.must_move(water, at_s); }

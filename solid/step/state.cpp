@@ -76,6 +76,7 @@ State::State(Model& model)
 void State::restore(const Standing& before) {
   static_cast<Standing&>(*this) = before;
   contacts_stand = false;
+  touched_before.reset();
 }
 
 void State::stop() {

@@ -2,6 +2,7 @@
 // The state: everything that a step changes.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -39,7 +40,9 @@ struct State : Standing {
   explicit State(Model& model);
 
   bool contacts_stand = false;  ///< nothing has moved since the last contact search
-  double next_dt = 0;           ///< length of the last step of the last window [s]
+  /// Of a search that is ahead of its step: how many contacts touched before it.
+  std::optional<long> touched_before;
+  double next_dt = 0;  ///< length of the last step of the last window [s]
   bool started = false;
   double time_s = 0;                    ///< of the blocks
   Rest rest;                            ///< of a static analysis
@@ -74,8 +77,8 @@ struct State : Standing {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blocks, contacts, contacts_stand, next_dt, started, time_s, rest, sleep, guard, water_work, energy,
-            smooth_steps, search, whole_law, finish, multipliers, lagging, held_by_ground);
+    archive(blocks, contacts, contacts_stand, touched_before, next_dt, started, time_s, rest, sleep, guard, water_work,
+            energy, smooth_steps, search, whole_law, finish, multipliers, lagging, held_by_ground);
     for (Support& support : supports) archive(support);
     for (Bolt& bolt : bolts) archive(bolt);
   }

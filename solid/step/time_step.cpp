@@ -31,7 +31,7 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   step_.go_on();
   const Stopwatch::Sample sample(timed());
   if (model_.is(scene::AnalysisKind::quasi_static)) state_.stop();
-  const long touching = mode.smooth_only ? state_.touching_contacts() : 0;
+  const long touching = !mode.smooth_only ? 0 : state_.touched_before.value_or(state_.touching_contacts());
   const bool searched = find_contacts();
   if (mode.smooth_only && state_.touching_contacts() != touching) {  // the search has dropped one
     return Outcome::contacts_change;
@@ -223,14 +223,25 @@ bool TimeStep::contacts_change() {
 
 /// False where contacts are those of the step before.
 bool TimeStep::find_contacts() {
+  if (std::exchange(state_.touched_before, {})) return true;
   if (state_.contacts_stand && model_.scene.analysis.skip_searches) {
     ++counts_.skipped_searches;
     return false;
   }
+  search();
+  return true;
+}
+
+void TimeStep::find_contacts_ahead() {
+  if (state_.touched_before || (state_.contacts_stand && model_.scene.analysis.skip_searches)) return;
+  state_.touched_before = state_.touching_contacts();
+  search();
+}
+
+void TimeStep::search() {
   const Stopwatch watch(profile_.search);
   ++counts_.searches;
   state_.search.update(state_.placements, state_.contacts);
-  return true;
 }
 
 /// In islands of few blocks, phases of a step take no longer than reading the clock: after the first steps, one in 16

@@ -18,6 +18,8 @@ class TimeStep : StepPart {
   [[nodiscard]] bool contacts_change();
   [[nodiscard]] bool any_swept() const;
   [[nodiscard]] StepIslands& islands() { return islands_; }
+  /// Finds the contacts that the next attempt begins with.
+  void find_contacts_ahead();
   /// Drops everything kept from earlier steps.
   void begin_anew();
 
@@ -30,6 +32,7 @@ class TimeStep : StepPart {
   [[nodiscard]] bool slid_over_its_end(const ContactPoint& c) const;
   [[nodiscard]] bool any_found(Found what) const;
   bool find_contacts();
+  void search();
   void begin(const Stretch& stretch, const StepMode& mode);
   void begin_contacts(const StepMode& mode);
   void push_boundary(const scene::TimeSpan& span);

@@ -15,7 +15,7 @@ namespace {
 
 enum class Fails { never, told, heard };
 
-/// Both sides note what they do by a letter: t told, h heard, s started, a advanced, r recorded.
+/// Both sides note what they do by a letter: t told, h heard, s started, a advanced, r recorded, p prepared.
 class Fluid final : public FluidLine {
  public:
   Fluid(std::string& done, Fails fails) : done_(done), fails_(fails) {}
@@ -55,6 +55,7 @@ class Solid final : public SolidSide {
     if (!recorded_) done_ += 'r';
     recorded_ = true;
   }
+  void prepare() override { done_ += 'p'; }
   [[nodiscard]] bool finished() const override { return false; }
 
  private:
@@ -82,9 +83,9 @@ std::string done_in(scene::Schedule schedule, bool dry) {
 }
 
 TEST(Recording, GoesOnWhileTheFluidAnswersAndMissesNoWindow) {
-  EXPECT_EQ(done_in(scene::Schedule::serial, false), "thsatrhatrhar");
-  EXPECT_EQ(done_in(scene::Schedule::parallel, false), "thstahtrahrar");
-  EXPECT_EQ(done_in(scene::Schedule::improved, false), "thsthatrhatrhar");
+  EXPECT_EQ(done_in(scene::Schedule::serial, false), "tphsatrphatrphar");
+  EXPECT_EQ(done_in(scene::Schedule::parallel, false), "tphstahtrahrar");
+  EXPECT_EQ(done_in(scene::Schedule::improved, false), "tphstphatrphatrphar");
 }
 
 /// Windows to go on from, and what was done until then.
@@ -106,12 +107,12 @@ TEST(Recording, OfAFluidThatIsLostLeavesACheckpointWhereTheSolidHasNotGoneOn) {
   using testing::ElementsAre;
   using testing::IsEmpty;
   using testing::Pair;
-  EXPECT_THAT(left_by(Schedule::serial, Fails::told), Pair(ElementsAre(2), "thsatrhar"));
-  EXPECT_THAT(left_by(Schedule::serial, Fails::heard), Pair(ElementsAre(2), "thsatrhatr"));
-  EXPECT_THAT(left_by(Schedule::improved, Fails::told), Pair(ElementsAre(2), "thsthar"));
-  EXPECT_THAT(left_by(Schedule::improved, Fails::heard), Pair(ElementsAre(2), "thsthatr"));
-  EXPECT_THAT(left_by(Schedule::parallel, Fails::told), Pair(ElementsAre(2), "thstahr"));
-  EXPECT_THAT(left_by(Schedule::parallel, Fails::heard), Pair(IsEmpty(), "thstahtra"));
+  EXPECT_THAT(left_by(Schedule::serial, Fails::told), Pair(ElementsAre(2), "tphsatrphar"));
+  EXPECT_THAT(left_by(Schedule::serial, Fails::heard), Pair(ElementsAre(2), "tphsatrphatrp"));
+  EXPECT_THAT(left_by(Schedule::improved, Fails::told), Pair(ElementsAre(2), "tphstphar"));
+  EXPECT_THAT(left_by(Schedule::improved, Fails::heard), Pair(ElementsAre(2), "tphstphatrp"));
+  EXPECT_THAT(left_by(Schedule::parallel, Fails::told), Pair(ElementsAre(2), "tphstahr"));
+  EXPECT_THAT(left_by(Schedule::parallel, Fails::heard), Pair(IsEmpty(), "tphstahtra"));
 }
 
 TEST(Recording, NeedsNoFluid) {

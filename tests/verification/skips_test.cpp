@@ -123,6 +123,36 @@ TEST(Skips, SearchesThatFindWhatIsKnownChangeNoBit) {
   }
 }
 
+/// Of walls that fall on a tilted ground, in windows of two steps; also in a run that is resumed from a checkpoint
+/// between the search and its step.
+TEST(Skips, ASearchAheadOfItsStepChangesNoBit) {
+  for (const auto integrator :
+       {scene::Integrator::shi, scene::Integrator::trapezoidal, scene::Integrator::generalized_alpha}) {
+    for (const auto rigid : {scene::Rigid::all, scene::Rigid::none}) {
+      auto scene = brick_wall(24);
+      scene.analysis.step_s = 0.01;
+      scene.analysis.integrator = integrator;
+      scene.analysis.rigid = rigid;
+      scene.analysis.gravity_tilt_deg = 40;
+      Solid plain(scene);
+      Solid ahead(scene);
+      Solid resumed(scene);
+      for (int window = 0; window < 40; ++window) {
+        for (Solid* solid : {&plain, &ahead}) solid->advance(0.02 * window, 0.02 * (window + 1), {});
+        if (window > 20) resumed.advance(0.02 * window, 0.02 * (window + 1), {});
+        ahead.prepare();
+        if (window == 20) checkpoint::unpack(checkpoint::pack(ahead), resumed);
+      }
+      EXPECT_GT(plain.largest_displacement_m(), 0.3);
+      for (const Solid* solid : {&ahead, &resumed}) {
+        for (std::size_t b = 0; b < plain.states().size(); ++b) {
+          ASSERT_EQ(solid->states()[b].displacement, plain.states()[b].displacement) << b;
+        }
+      }
+    }
+  }
+}
+
 /// Blocks that stand, by Cholesky's factors, and blocks that slide, by LU.
 TEST(Skips, FactorsThatServeAgainLeaveTheAnswerAsItIs) {
   for (auto scene : {pyramid(10), rock_slope(60, 0.3)}) {
