@@ -158,7 +158,7 @@ void CoupledSolid::observe(const wire::Load& load, double time_s) {
     margins_.look(solid_, time_s, levels.higher_m());
     edge_tension_.look(solid_, time_s, levels.higher_m());
   }
-  acceleration_.add(time_s, solid_.states(), solid_.base().displacement(time_s));
+  acceleration_.add(time_s, solid_.states(), solid_.model().base.displacement(time_s));
   series_.look(solid_, water_.at(time_s), time_s);
   energy_.look(solid_);
   strain_.look(solid_, time_s);

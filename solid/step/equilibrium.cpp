@@ -47,8 +47,9 @@ void begin_anew(StepWorkspace& step, IslandEquations& island) {
 
 Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepMode& mode, bool newton) {
   start_where_it_rests(step, island);
-  if (CentredForces centred(step); newton && centred.may_hold(island, mode)) {
-    const Held held = centred.hold(island);
+  Held held = Held::unknown;
+  if (CentredForces centred(step); centred.may_hold(island, mode)) {
+    held = centred.hold(island);
     if (held == Held::yes) return Found::by_newton;
     step.must_move = step.must_move || held == Held::no;
     begin_anew(step, island);
@@ -56,7 +57,7 @@ Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepM
   if (mode.stays) return Found::nothing;
   if (newton && find_by_newton(step, island, mode)) return Found::by_newton;
   if (newton && mode.pivots && Pivoting(step).find(island, mode)) return Found::by_newton;
-  return may_sweep(step, mode) ? SweptEquilibrium(step).find(island, mode) : Found::nothing;
+  return may_sweep(step, mode) ? SweptEquilibrium(step, held).find(island, mode) : Found::nothing;
 }
 
 bool find_by_newton(StepWorkspace& step, IslandEquations& island, const StepMode& mode) {

@@ -54,7 +54,6 @@ class Solid {
   [[nodiscard]] const std::vector<Block>& blocks() const { return model_.blocks; }
   [[nodiscard]] std::size_t described() const { return model_.described(); }  ///< number of the scene's blocks
   [[nodiscard]] const JointLaws& laws() const { return model_.laws; }
-  [[nodiscard]] const BaseMotion& base() const { return model_.base; }
 
   [[nodiscard]] const std::vector<BlockState>& states() const { return state_.blocks; }
   [[nodiscard]] const std::vector<Placement>& placements() const { return state_.placements; }

@@ -173,7 +173,7 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
     const Interaction action = interaction_of(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s));
     rows.add(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
   }
-  if (first_round && is_at_rest(s)) stand(s);
+  if (first_round && is_at_rest(s)) stand_or_go(s);
   s.sweeps.apply_forces();
   return true;
 }
@@ -204,18 +204,22 @@ bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
   return moves_little(step_, s);
 }
 
+/// What will move soon, if it does not now, has no creep that is to be kept small.
+void SweptEquilibrium::stand_or_go(IslandEquations& s) {
+  const bool rigid = s.unknowns->total == 3 * s.unknowns->blocks();
+  if ((held_ == Held::no || !stand(s)) && rigid) moves_m_ = trial_.fall_m();
+}
+
 /// Begins with forces by which nothing moves, if there are such. Sweeps would come to them only in the limit, and let
 /// the structure creep until then.
-void SweptEquilibrium::stand(IslandEquations& s) {
+bool SweptEquilibrium::stand(IslandEquations& s) {
   std::vector<Matrix6> matrix;
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
-  const bool found = forces.found(s.residual, enough_share * trial_.fall_m());
-  const bool rigid = s.unknowns->total == 3 * s.unknowns->blocks();
-  if (!found && rigid) moves_m_ = trial_.fall_m();  // or will soon: no creep to be kept small
-  if (!found) return;
+  if (!forces.found(s.residual, enough_share * trial_.fall_m())) return false;
   auto& rows = s.sweeps.rows();
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].force = forces.force(row);
+  return true;
 }
 
 /// Forces found act at the trial, with their states.

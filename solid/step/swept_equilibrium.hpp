@@ -3,6 +3,7 @@
 // is bounded; whenever they stop, forces are admissible and momentum balances.
 #pragma once
 
+#include "solid/step/centred_forces.hpp"
 #include "solid/step/island_equations.hpp"
 #include "solid/step/step_mode.hpp"
 #include "solid/step/sweep_rows.hpp"
@@ -11,7 +12,8 @@ namespace blockweir::solid {
 
 class SweptEquilibrium : StepPart {
  public:
-  explicit SweptEquilibrium(StepWorkspace& step) : StepPart(step) {}
+  /// `held`: what is known of forces by which nothing moves.
+  explicit SweptEquilibrium(StepWorkspace& step, Held held = Held::unknown) : StepPart(step), held_(held) {}
 
   /// By sweeps, or by Newton's method started from their result.
   Found find(IslandEquations& island, const StepMode& mode);
@@ -27,9 +29,11 @@ class SweptEquilibrium : StepPart {
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
   [[nodiscard]] bool pumps(const IslandEquations& island) const;
   [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
-  void stand(IslandEquations& island);
+  void stand_or_go(IslandEquations& island);
+  bool stand(IslandEquations& island);
   void take_forces(IslandEquations& island);
 
+  Held held_;
   double moves_m_ = 0;  ///< in the step, at the velocity of its start: the slower, the more sweeps it is worth
 };
 

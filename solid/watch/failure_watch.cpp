@@ -62,8 +62,9 @@ double FailureWatch::speed(std::size_t b) const {
   const Placement& now = solid_.placements()[b];
   const Placement before(solid_.blocks()[b].centroid, watched_[b].seen);
   const double passed_s = solid_.time_s() - seen_s_;
-  const Point base = solid_.base().velocity(solid_.time_s());
-  const Point base_moved = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(seen_s_);
+  const Point base = solid_.model().base.velocity(solid_.time_s());
+  const Point base_moved =
+      solid_.model().base.displacement(solid_.time_s()) - solid_.model().base.displacement(seen_s_);
   double fastest = 0;
   for (const Point& X : solid_.blocks()[b].vertices) {
     double v = (now.shape(X) * solid_.states()[b].velocity - base).norm();
@@ -78,7 +79,8 @@ double FailureWatch::speed(std::size_t b) const {
 /// Largest displacement of a vertex since the block was last at rest [m].
 double FailureWatch::travel(std::size_t b) const {
   const Placement then(solid_.blocks()[b].centroid, watched_[b].displacement);
-  const Point base = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(watched_[b].time_s);
+  const Point base =
+      solid_.model().base.displacement(solid_.time_s()) - solid_.model().base.displacement(watched_[b].time_s);
   double farthest = 0;
   for (const Point& X : solid_.blocks()[b].vertices) {
     farthest = std::max(farthest, (solid_.placements()[b].displacement(X) - then.displacement(X) - base).norm());
@@ -136,7 +138,8 @@ bool FailureWatch::strains(std::size_t b) const {
 void FailureWatch::look(double time_s, const Levels& levels) {
   judge();
   const double passed_s = solid_.time_s() - seen_s_;
-  const Point base_moved = solid_.base().displacement(solid_.time_s()) - solid_.base().displacement(seen_s_);
+  const Point base_moved =
+      solid_.model().base.displacement(solid_.time_s()) - solid_.model().base.displacement(seen_s_);
   const int stood_at_start = solid_.starts_at_rest() ? a_spell : -a_spell;  // what sets out rings at first
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     Watched& block = watched_[b];
@@ -215,7 +218,7 @@ bool FailureWatch::rests_again() const {
 }
 
 double FailureWatch::farthest_failed_m(double before_s) const {
-  const Point base = solid_.base().displacement(solid_.time_s());
+  const Point base = solid_.model().base.displacement(solid_.time_s());
   double farthest = 0;
   for (std::size_t b = 0; b < watched_.size(); ++b) {
     if (!watched_[b].failed || is_loose(b) || watched_[b].time_s >= before_s) continue;

@@ -78,7 +78,7 @@ void capture_contact(const Solid& solid, const ContactPoint& c, ContactRow& row)
 BoltRow bolt_row(const Solid& solid, const Bolt& bolt) {
   const auto end = [&](std::size_t i) -> Point {
     const int b = bolt.part[i];
-    return b < 0 ? Point(bolt.material[i] + solid.base().displacement(solid.time_s()))
+    return b < 0 ? Point(bolt.material[i] + solid.model().base.displacement(solid.time_s()))
                  : solid.placements()[at(b)].position(bolt.material[i]);
   };
   return {.from_m = end(0),
@@ -117,8 +117,8 @@ void make_frame(const Solid& solid, const wire::Load& load, const std::vector<Pa
   frame.upstream_level_m = load.upstream_level_m;
   frame.downstream_level_m = load.downstream_level_m;
   frame.largest_displacement_m = solid.largest_displacement_m();
-  frame.base_displacement_m = solid.base().displacement(time_s);
-  frame.base_acceleration_m_per_s2 = solid.base().acceleration(time_s);
+  frame.base_displacement_m = solid.model().base.displacement(time_s);
+  frame.base_acceleration_m_per_s2 = solid.model().base.acceleration(time_s);
   frame.blocks.resize(solid.described());
   for (std::size_t b = 0; b < frame.blocks.size(); ++b) capture_block(solid, b, frame.blocks[b]);
   const Energy energy = energy_of(solid);

@@ -131,7 +131,7 @@ void hold(const Solid& solid, const Bolt& bolt, std::vector<Hold>& holds) {
   const auto end = [&](std::size_t k) -> Point {
     const int part = bolt.part[k];
     if (part >= 0) return solid.placements()[at(part)].position(bolt.material[k]);
-    return bolt.material[k] + solid.base().displacement(solid.time_s());
+    return bolt.material[k] + solid.model().base.displacement(solid.time_s());
   };
   const auto [a, b] = bolt.described->blocks;
   const std::size_t held = a >= 0 ? 0 : 1;
@@ -143,7 +143,7 @@ void hold(const Solid& solid, const Bolt& bolt, std::vector<Hold>& holds) {
 /// Rate of the six unknowns, against the base.
 Vector6 rate(const Solid& solid, int part) {
   Vector6 velocity = solid.velocity(at(part));
-  velocity.head<2>() -= solid.base().velocity(solid.time_s());
+  velocity.head<2>() -= solid.model().base.velocity(solid.time_s());
   return velocity;
 }
 

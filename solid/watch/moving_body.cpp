@@ -36,10 +36,10 @@ std::set<int> reached(const std::set<int>& start, const PairMotions& pairs,
 
 MovedSince::MovedSince(const Solid& solid, const std::vector<Vector6>& displacement, const std::vector<double>& time_s)
     : solid_(solid), displacement_(displacement) {
-  const Point now = solid.base().displacement(solid.time_s());
+  const Point now = solid.model().base.displacement(solid.time_s());
   for (std::size_t b = 0; b < displacement.size(); ++b) {
     then_.emplace_back(solid.blocks()[b].centroid, displacement[b]);
-    base_.push_back(now - solid.base().displacement(time_s[b]));
+    base_.push_back(now - solid.model().base.displacement(time_s[b]));
   }
 }
 

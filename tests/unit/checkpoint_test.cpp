@@ -75,8 +75,8 @@ TEST_F(Files, WhatIsNotAsItWasWrittenIsRefused) {
   EXPECT_THAT(with("nothing of the kind"), HasSubstr("not a checkpoint; run anew"));
   checkpoints.write(6, "before");
   EXPECT_THAT(with("nothing of the kind"), HasSubstr("delete it to go on from the checkpoint before it, or run anew"));
-  EXPECT_THAT(with("blockweir checkpoint 9 solid 7 abc 0 0\n"), HasSubstr("format 9, this blockweir reads 13"));
-  EXPECT_THAT(with("blockweir checkpoint 13 solid 6 abc 0 0\n"), HasSubstr("holds window 6 of solid"));
+  EXPECT_THAT(with("blockweir checkpoint 9 solid 7 abc 0 0\n"), HasSubstr("format 9, this blockweir reads 14"));
+  EXPECT_THAT(with("blockweir checkpoint 14 solid 6 abc 0 0\n"), HasSubstr("holds window 6 of solid"));
   EXPECT_EQ(with(whole), "");
 }
 

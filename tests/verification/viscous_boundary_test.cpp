@@ -157,7 +157,7 @@ TEST_P(ViscousBoundaryWith, TheFreeSurfaceMovesAsTheRecordHasIt) {
       scene.viscous_faces.push_back({.block = 0, .from_m = {width, 0}, .to_m = {width, height}});
       scene.viscous_faces.push_back({.block = 0, .from_m = {0, height}, .to_m = {0, 0}});
       Solid solid(scene);
-      const BaseMotion& base = solid.base();
+      const BaseMotion& base = solid.model().base;
       const double dt = scene.analysis.step_s;
       EnergyWatch energy;
       energy.look(solid);
@@ -204,7 +204,7 @@ TEST(ViscousBoundary, ASoftLayerAmplifiesWhatTheHalfSpaceBrings) {
       solid.advance(n * dt, (n + 1) * dt, {});
       if (n < 100 * 15) continue;
       const double t = (n + 1) * dt;
-      const double v = velocity_at(solid, 0, {width / 2, height}, 0) + solid.base().ground_velocity(t, false).x();
+      const double v = velocity_at(solid, 0, {width / 2, height}, 0) + solid.model().base.ground_velocity(t, false).x();
       low = std::min(low, v);
       high = std::max(high, v);
     }
