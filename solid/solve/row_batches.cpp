@@ -14,6 +14,11 @@ std::pair<int, int> counts(const ForceRow& row) {
   return {row.ends[0].count, row.ends[1].count};
 }
 
+std::array<int, 4> ends_of(const ForceRow& row) {
+  const auto& [a, b] = row.ends;
+  return {a.first, a.count, b.first, b.count};
+}
+
 /// Do both ends move the same unknowns, as those of blocks that water joins? A batch adds to each end by itself.
 bool ends_meet(const ForceRow& row) {
   const auto& [a, b] = row.ends;
@@ -21,8 +26,8 @@ bool ends_meet(const ForceRow& row) {
 }
 
 /// Rows by colour. In each, ends of the same numbers of unknowns follow each other.
-std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::size_t unknowns,
-                                       std::vector<int>& left_alone) {
+std::vector<std::vector<int>> by_colour(const std::vector<ForceRow>& rows, std::size_t unknowns,
+                                        std::vector<int>& left_alone) {
   Colouring colouring(unknowns);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const auto& ends = rows[k].ends;
@@ -40,39 +45,55 @@ std::vector<std::vector<int>> coloured(const std::vector<ForceRow>& rows, std::s
 }  // namespace
 
 void RowBatches::choose(const std::vector<ForceRow>& rows, const std::vector<double>& entries, Eigen::Index nowhere) {
-  batches_.clear();
-  entries_.clear();
-  left_alone_.clear();
-  for (const std::vector<int>& colour : coloured(rows, at(nowhere), left_alone_)) {
-    for (std::size_t from = 0; from < colour.size();) {
-      std::array<int, lanes> numbers = {-1, -1, -1, -1};
-      const auto like = counts(rows[at(colour[from])]);
-      for (std::size_t lane = 0; lane < numbers.size() && from < colour.size(); ++lane, ++from) {
-        if (counts(rows[at(colour[from])]) != like) break;
-        numbers[lane] = colour[from];
-      }
-      add_batch(numbers, rows, entries, static_cast<int>(nowhere));
-    }
-  }
+  if (nowhere != nowhere_ || !are_coloured(rows)) colour(rows, nowhere);
+  for (RowBatch& batch : batches_) fill(batch, rows, entries);
 }
 
-void RowBatches::add_batch(const std::array<int, lanes>& numbers, const std::vector<ForceRow>& rows,
-                           const std::vector<double>& entries, int nowhere) {
-  RowBatch& batch = batches_.emplace_back();
-  batch.row = numbers;
-  for (const std::size_t e : {0, 1}) {
-    BatchEnd& end = batch.ends[e];
-    end.first.fill(nowhere);
-    end.first_entry = entries_.size();
-    end.count = rows[at(numbers[0])].ends[e].count;
-    entries_.resize(entries_.size() + at(4 * end.count));
-    for (int lane = 0; lane < lanes && end.count > 0; ++lane) {
-      if (numbers[at(lane)] < 0) continue;
-      const ForceRow::End& from = rows[at(numbers[at(lane)])].ends[e];
-      end.first[at(lane)] = from.first;
-      for (int i = 0; i < 4 * from.count; ++i) {
-        entries_[end.first_entry + at(i)].of[lane] = entries[from.first_entry + at(i)];
+/// Do the rows meet the same unknowns as those that were coloured?
+bool RowBatches::are_coloured(const std::vector<ForceRow>& rows) const {
+  return std::equal(rows.begin(), rows.end(), coloured_.begin(), coloured_.end(),
+                    [](const ForceRow& row, const Ends& ends) { return ends_of(row) == ends; });
+}
+
+void RowBatches::colour(const std::vector<ForceRow>& rows, Eigen::Index nowhere) {
+  nowhere_ = nowhere;
+  batches_.clear();
+  left_alone_.clear();
+  coloured_.clear();
+  for (const ForceRow& row : rows) coloured_.push_back(ends_of(row));
+  std::size_t entries = 0;
+  for (const std::vector<int>& colour : by_colour(rows, at(nowhere), left_alone_)) {
+    for (std::size_t from = 0; from < colour.size();) {
+      RowBatch& batch = batches_.emplace_back();
+      const auto like = counts(rows[at(colour[from])]);
+      for (const std::size_t e : {0, 1}) {
+        BatchEnd& end = batch.ends[e];
+        end.first.fill(static_cast<int>(nowhere));
+        end.first_entry = entries;
+        end.count = rows[at(colour[from])].ends[e].count;
+        entries += at(4 * end.count);
       }
+      for (std::size_t lane = 0; lane < batch.row.size() && from < colour.size(); ++lane, ++from) {
+        const ForceRow& row = rows[at(colour[from])];
+        if (counts(row) != like) break;
+        batch.row[lane] = colour[from];
+        for (const std::size_t e : {0, 1}) {
+          if (row.ends[e].count > 0) batch.ends[e].first[lane] = row.ends[e].first;
+        }
+      }
+    }
+  }
+  entries_.assign(entries, BatchEntry{});
+}
+
+void RowBatches::fill(const RowBatch& batch, const std::vector<ForceRow>& rows, const std::vector<double>& entries) {
+  for (const std::size_t e : {0, 1}) {
+    const int count = 4 * batch.ends[e].count;
+    BatchEntry* const to = entries_.data() + batch.ends[e].first_entry;
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (batch.row[at(lane)] < 0) continue;
+      const double* const from = entries.data() + rows[at(batch.row[at(lane)])].ends[e].first_entry;
+      for (int i = 0; i < count; ++i) to[i].of[lane] = from[i];
     }
   }
 }

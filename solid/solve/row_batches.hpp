@@ -31,12 +31,17 @@ class RowBatches {
   void give_back(std::vector<ForceRow>& rows) const;
 
  private:
-  void add_batch(const std::array<int, lanes>& numbers, const std::vector<ForceRow>& rows,
-                 const std::vector<double>& entries, int nowhere);
+  using Ends = std::array<int, 4>;  ///< first unknown and their number, of both
+
+  [[nodiscard]] bool are_coloured(const std::vector<ForceRow>& rows) const;
+  void colour(const std::vector<ForceRow>& rows, Eigen::Index nowhere);
+  void fill(const RowBatch& batch, const std::vector<ForceRow>& rows, const std::vector<double>& entries);
 
   std::vector<RowBatch> batches_;
   std::vector<BatchEntry> entries_;
   std::vector<int> left_alone_;
+  std::vector<Ends> coloured_;  ///< of the rows for which batches were chosen
+  Eigen::Index nowhere_ = -1;
 };
 
 }  // namespace blockweir::solid

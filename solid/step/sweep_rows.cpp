@@ -43,21 +43,24 @@ void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& a
   row.apart = ruled.apart;
   row.rule = ruled.rule;
   row.force = force;
+  const bool as_one = s.moves_as_one();
   for (const bool second : {false, true}) {
     const int block = action.block(second);
     if (!trial_.moves(block)) continue;
-    const Matrix26 shape = (second ? -1 : 1) * action.shape(trial_.placement[at(block)], second);
+    const Placement& placement = trial_.placement[at(block)];
+    const double side = second ? -1 : 1;
     const auto k = at(s.local(block));
     const auto first = s.unknowns->first[k];
-    if (s.moves_as_one()) {
-      add_end_of_all(s, second, static_cast<int>(k), shape);
+    if (as_one) {
+      add_end_of_all(s, second, static_cast<int>(k), side * action.shape(placement, second));
     } else if (s.unknowns->count[k] == 3) {
-      const Eigen::Matrix<double, 2, 3> motions = shape.leftCols<3>();
+      const Eigen::Matrix<double, 2, 3> motions = side * action.rigid_shape(placement, second);
       const Eigen::Matrix<double, 3, 2> responses = s.compliance[k].topLeftCorner<3, 3>() * motions.transpose();
       s.sweeps.add_end(second, first, motions, responses);
     } else {
-      const Eigen::Matrix<double, 6, 2> responses = s.compliance[k] * shape.transpose();
-      s.sweeps.add_end(second, first, shape, responses);
+      const Matrix26 motions = side * action.shape(placement, second);
+      const Eigen::Matrix<double, 6, 2> responses = s.compliance[k] * motions.transpose();
+      s.sweeps.add_end(second, first, motions, responses);
     }
   }
 }

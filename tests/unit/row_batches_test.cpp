@@ -16,12 +16,11 @@ constexpr int bodies = 40;
 
 /// Rows between random bodies, or a body and what does not move, with unit masses, under random loads. Every third body
 /// has six unknowns, the others three; `padding` further unknowns of each move by nothing.
-ForceSweeps tangle(unsigned seed, int padding) {
+void tangle(unsigned seed, int padding, ForceSweeps& sweeps) {
   std::mt19937 draw(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::vector<Eigen::Index> first = {0};
   for (int b = 0; b < bodies; ++b) first.push_back(first.back() + (b % 3 == 0 ? 6 : 3) + padding);
-  ForceSweeps sweeps;
   sweeps.begin(Eigen::VectorXd::NullaryExpr(first.back(), [&] { return uniform(draw); }), 3 * bodies);
   for (int k = 0; k < 3 * bodies; ++k) {
     ForceSweeps::Row& row = sweeps.add_row();
@@ -38,6 +37,11 @@ ForceSweeps tangle(unsigned seed, int padding) {
     }
   }
   sweeps.apply_forces();
+}
+
+ForceSweeps tangle(unsigned seed, int padding) {
+  ForceSweeps sweeps;
+  tangle(seed, padding, sweeps);
   return sweeps;
 }
 
@@ -85,6 +89,17 @@ TEST(RowBatches, MoveWhatTheirForcesMove) {
   other.apply_forces();
   EXPECT_LE((other.displacement() - sweeps.displacement()).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_GT((start - sweeps.displacement()).cwiseAbs().maxCoeff(), 0.1);
+}
+
+/// Rows between the same bodies keep their batches, others get new ones.
+TEST(RowBatches, AreTheSameWhateverWasSweptBefore) {
+  ForceSweeps used;
+  for (const auto& [seed, padding] : {std::pair(3U, 0), {4U, 0}, {4U, most_unknowns}, {3U, 0}}) {
+    tangle(seed, padding, used);
+    ForceSweeps fresh = tangle(seed, padding);
+    for (int n = 0; n < 5; ++n) EXPECT_EQ(used.sweep(), fresh.sweep());
+    EXPECT_EQ(used.displacement(), fresh.displacement());
+  }
 }
 
 /// Two bodies that water joins move each other: both ends of a row have the unknowns of both.
