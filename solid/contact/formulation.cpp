@@ -101,8 +101,8 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
   }
 }
 
-Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoint& c) {
-  const Progress& progress = progress_.follow(trial, index, c, edge_frame(trial, c));
+Ruled Formulation::ruled_contact(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge) {
+  const Progress& progress = progress_.follow(trial, index, c, edge);
   const JointProperties& law = laws_[c.law];
   const Strength strength = iterated_strength(laws_, c, c.force.x());
   // What is left of a bond that has let go holds while sweeps last; where they open the contact it is lost (bonds.cpp).

@@ -67,8 +67,9 @@ class Formulation {
   /// Where forces are unknowns of the system; else null.
   [[nodiscard]] virtual const ForceConstraints* force_constraints() const { return nullptr; }
 
-  /// For a solver of forces: resistance of a contact or support at the trial, and the bounds of its forces.
-  virtual Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c);
+  /// For a solver of forces: resistance of a contact or support at the trial, and the bounds of its forces. `edge`: the
+  /// contact's at the trial.
+  virtual Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge);
   virtual Ruled ruled_support(const Trial& trial, int index, const Support& s);
   /// Applies the forces found by that solver, with the corresponding state.
   virtual Interaction take_contact(const Trial& trial, int index, ContactPoint& c, const RuledForce& found);

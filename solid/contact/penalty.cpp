@@ -59,8 +59,8 @@ class Penalty final : public Formulation {
   }
 
   /// A spring and a dashpot give way: apart + force / stiffness = 0, apart less what the dashpot had begun with.
-  Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c) override {
-    Ruled ruled = Formulation::ruled_contact(trial, index, c);
+  Ruled ruled_contact(const Trial& trial, int index, const ContactPoint& c, const EdgeFrame& edge) override {
+    Ruled ruled = Formulation::ruled_contact(trial, index, c, edge);
     const Dashpot& dashpot = dashpots_[at(index)];
     const double stiffness = spring_ + dashpot.coefficient * trial.velocity_factor;
     ruled.rule.compliance.setConstant(1 / stiffness);

@@ -61,12 +61,13 @@ bool CentredForces::begin(IslandEquations& s) {
   for (std::size_t i = 0; i < forces_.size(); ++i) {
     const int k = s.island.contacts[i];
     const ContactPoint& c = state_.contacts[at(k)];
-    Ruled ruled = formulation_->ruled_contact(now, k, c);
+    const EdgeFrame edge = edge_frame(now, c);
+    Ruled ruled = formulation_->ruled_contact(now, k, c, edge);
     if (!ruled.rule.is_dry()) {
       if (!lasts(model_.laws[c.law]) || !BoundedForce::fits(ruled.rule)) return false;
       ruled.rule.least_normal = -model_.laws.strength(c, 0).tension;
     }
-    s.actions[i] = interaction_of(c, edge_frame(now, c), ruled.apart.y());
+    s.actions[i] = interaction_of(c, edge, ruled.apart.y());
     if (ruled.apart.x() > formulation_->settings().penetration_tolerance_m) continue;
     forces_[i] = BoundedForce(ruled.rule, c.force, least);
     s.actions[i].force = forces_[i].force();

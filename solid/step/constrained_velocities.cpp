@@ -98,7 +98,8 @@ bool ConstrainedVelocities::friction_has(const IslandEquations& s, const std::ve
     const Eigen::Vector2d acted = impulse_per_force(dt) * a.force;
     const Eigen::Vector2d impulse = acted + missing[k] - a.stiffness * parting;
     const int index = s.island.contacts[k];
-    const ForceRule rule = formulation_->ruled_contact(now, index, state_.contacts[at(index)]).rule;
+    const ContactPoint& c = state_.contacts[at(index)];
+    const ForceRule rule = formulation_->ruled_contact(now, index, c, edge_frame(now, c)).rule;
     const double bound = impulse_per_force(dt) * rule.cohesion + rule.friction * std::max(0.0, impulse.x());
     const double too_much = std::abs(impulse.y()) - bound;
     const bool slips = a.held.y() == 0;
@@ -118,7 +119,8 @@ void ConstrainedVelocities::set_rows(IslandEquations& s) {
     Ruled ruled;
     if (i < s.island.contacts.size()) {
       const int k = s.island.contacts[i];
-      ruled = formulation_->ruled_contact(now, k, state_.contacts[at(k)]);
+      const ContactPoint& c = state_.contacts[at(k)];
+      ruled = formulation_->ruled_contact(now, k, c, edge_frame(now, c));
     } else if (i < s.island.contacts.size() + s.island.supports.size()) {
       const int k = s.island.supports[i - s.island.contacts.size()];
       ruled = formulation_->ruled_support(now, k, state_.supports[at(k)]);

@@ -157,8 +157,8 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
   const bool cold = first_round && pumps(s);
   for (const int k : s.island.contacts) {
     const ContactPoint& c = state_.contacts[at(k)];
-    const Ruled ruled = formulation_->ruled_contact(now, k, c);
     const EdgeFrame edge = edge_frame(now, c);
+    const Ruled ruled = formulation_->ruled_contact(now, k, c, edge);
     rows.add(s, ruled, interaction_of(c, edge, ruled.apart.y()),
              cold                                         ? Point(0, 0)
              : first_round && !trial_.first_force.empty() ? trial_.first_force[at(k)]
