@@ -59,8 +59,9 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (round >= rounds && (!broken || round >= most_rounds)) break;
   }
   // From states and forces that are next to right Newton's method is exact in a solution or two.
-  // In a fall it is worth that to few blocks.
-  const bool near = left_m <= enough_m && formulation_->holds_exactly() && (few || !trial_.falls());
+  // In a fall it is worth that to few blocks; to many, from sweeps that came as close as in the first such step.
+  const bool worth = few || (!trial_.falls() && (begins || s.unknowns->total <= large_island));
+  const bool near = left_m <= enough_m && formulation_->holds_exactly() && worth;
   if (near && (few || !state_.finish.skips())) {
     const bool exact = restore_unless(step_, s, mode, [&] { return finish(s, mode); });
     if (!few) exact ? state_.finish.succeeded() : state_.finish.failed();
