@@ -22,7 +22,8 @@ void CandidateFilter::drop_edges_seen_from_within() {
       if (c.state == ContactState::open && c.gap < -outlines_.coincidence_m() && (c.gap < best || !overlaps_at(c)))
         continue;
       found_.inherited[kept] = found_.inherited[i];
-      found_.all[kept++] = found_.all[i];
+      if (kept != i) found_.all[kept] = c;
+      ++kept;
     }
   }
   found_.all.resize(kept);
@@ -40,17 +41,14 @@ bool CandidateFilter::overlaps_at(const ContactPoint& c) const {
 /// The vertex of the edge's block that the contact's vertex lies at, or -1.
 int CandidateFilter::met_vertex(const ContactPoint& c) const {
   const auto& E = outlines_.of(c.edge_block);
+  const auto& edges = outlines_.edges(c.edge_block);
   const auto convex = [&](std::size_t w) {  // or straight: a node on a face
-    const Point in = (E[w] - E[previous(w, E.size())]).normalized();
-    return cross(in, (E[next(w, E.size())] - E[w]).normalized()) > -parallel_tolerance;
+    return cross(edges[previous(w, E.size())].along, edges[w].along) > -parallel_tolerance;
   };
   const auto e = static_cast<std::size_t>(c.edge);
   const double opened = openings_.of(c);
   Point vertex = outlines_.vertex_of(c);
-  if (opened > 0) {
-    const Point t = (E[next(e, E.size())] - E[e]).normalized();
-    vertex -= opened * Point(t.y(), -t.x());
-  }
+  if (opened > 0) vertex -= opened * outlines_.normal_of(c);
   for (const std::size_t w : {e, next(e, E.size())}) {
     if ((E[w] - vertex).norm() < std::max(2 * outlines_.coincidence_m(), 2 * std::abs(c.gap - opened)) && convex(w)) {
       return static_cast<int>(w);
@@ -64,11 +62,11 @@ int CandidateFilter::met_vertex(const ContactPoint& c) const {
 bool CandidateFilter::may_pass(const ContactPoint& c) const {
   const auto& E = outlines_.of(c.edge_block);
   const auto e = static_cast<std::size_t>(c.edge);
+  const auto& edges = outlines_.edges(c.edge_block);
   const auto goes_on = [&](std::size_t edge, std::size_t corner) {
-    const Point t = (E[next(edge, E.size())] - E[edge]).normalized();
-    const Point in = (E[corner] - E[previous(corner, E.size())]).normalized();
-    const Point out = (E[next(corner, E.size())] - E[corner]).normalized();
-    return cross(in, out) > parallel_tolerance && cross(outlines_.vertex_of(c) - E[edge], t) >= -outlines_.give_m();
+    const double turns = cross(edges[previous(corner, E.size())].along, edges[corner].along);
+    return turns > parallel_tolerance &&
+           cross(outlines_.vertex_of(c) - E[edge], edges[edge].along) >= -outlines_.give_m();
   };
   return goes_on(previous(e, E.size()), e) || goes_on(next(e, E.size()), next(e, E.size()));
 }
@@ -76,8 +74,8 @@ bool CandidateFilter::may_pass(const ContactPoint& c) const {
 /// Do the vertices of two mirrored contacts bound what two faces have in common, or will have once these have turned
 /// onto each other? Then they are two contacts, its ends, however far the faces still are from each other.
 bool CandidateFilter::bound_overlap(const ContactPoint& a, const ContactPoint& b) const {
-  const auto along = [this](const ContactPoint& c) {
-    return Point(outlines_.edge_of(c).second - outlines_.edge_of(c).first).normalized();
+  const auto along = [this](const ContactPoint& c) -> const Point& {
+    return outlines_.edges(c.edge_block)[at(c.edge)].along;
   };
   const auto over_its_edge = [&](const ContactPoint& c) {
     const auto [from, to] = outlines_.edge_of(c);
@@ -128,17 +126,17 @@ bool CandidateFilter::past_flat_corner(const ContactPoint& beyond, const Contact
   if (at(flat.edge) != v && at(flat.edge) != previous(v, V.size())) return false;
   if (w != at(beyond.edge) && w != next(at(beyond.edge), E.size())) return false;
   if ((E[w] - V[v]).norm() > near * outlines_.coincidence_m()) return false;
-  const Point in = (E[w] - E[previous(w, E.size())]).normalized();
-  const Point out = (E[next(w, E.size())] - E[w]).normalized();
+  const Point& in = outlines_.edges(beyond.edge_block)[previous(w, E.size())].along;
+  const Point& out = outlines_.edges(beyond.edge_block)[w].along;
   return std::abs(cross(in, out)) < parallel_tolerance && in.dot(out) > 0;
 }
 
 /// Is the vertex's block on the outer side of the edge, but for what blocks strain?
 bool CandidateFilter::faces_outside(const ContactPoint& c) const {
   constexpr double strained = 1e-3;  // rad
-  const auto [from, to] = outlines_.edge_of(c);
-  const Point t = (to - from).normalized();
-  return faces(outlines_.of(c.vertex_block), at(c.vertex), Point(t.y(), -t.x()), strained);
+  const auto& edges = outlines_.edges(c.vertex_block);
+  const Point to_before = -edges[previous(at(c.vertex), edges.size())].along;
+  return faces(to_before, edges[at(c.vertex)].along, outlines_.normal_of(c), strained, 0);
 }
 
 void CandidateFilter::keep_one_of_each() {
@@ -193,7 +191,9 @@ void CandidateFilter::keep_one_of_each() {
   }
   std::size_t kept = 0;
   for (std::size_t i = 0; i < found_.all.size(); ++i) {
-    if (kept_for[i] == i) found_.all[kept++] = found_.all[i];
+    if (kept_for[i] != i) continue;
+    if (kept != i) found_.all[kept] = found_.all[i];
+    ++kept;
   }
   found_.all.resize(kept);
 }

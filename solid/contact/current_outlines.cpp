@@ -5,13 +5,22 @@ namespace blockweir::solid {
 
 CurrentOutlines::CurrentOutlines(const MovingParts& parts, double size_m)
     : parts_(parts), corners_(parts.contact_outlines.size()), coincidence_(1e-7 * size_m), give_(2 * coincidence_) {
-  for (std::size_t b = 0; b < corners_.size(); ++b) corners_[b].resize(parts.contact_outlines[b].size());
+  edges_.resize(corners_.size());
+  for (std::size_t b = 0; b < corners_.size(); ++b) {
+    corners_[b].resize(parts.contact_outlines[b].size());
+    edges_[b].resize(parts.contact_outlines[b].size());
+  }
 }
 
 void CurrentOutlines::move(std::size_t block, const std::vector<Placement>& placements) {
   const ContactOutline& sides = parts_.contact_outlines[block];
   for (std::size_t v = 0; v < sides.size(); ++v) {
     corners_[block][v] = placements[at(sides[v].part)].position(sides[v].from);
+  }
+  for (std::size_t e = 0; e < sides.size(); ++e) {
+    const Point span = corners_[block][next(e, sides.size())] - corners_[block][e];
+    const double length_m = span.norm();
+    edges_[block][e] = {span / length_m, length_m};
   }
 }
 
@@ -22,8 +31,7 @@ std::pair<Point, Point> CurrentOutlines::edge_of(const ContactPoint& c) const {
 }
 
 Point CurrentOutlines::normal_of(const ContactPoint& c) const {
-  const auto [from, to] = edge_of(c);
-  const Point t = (to - from).normalized();
+  const Point& t = edges(c.edge_block)[at(c.edge)].along;
   return {t.y(), -t.x()};
 }
 
@@ -38,10 +46,8 @@ double CurrentOutlines::turned(const ContactPoint& a, const ContactPoint& b) con
 
 void CurrentOutlines::count_from_start(ContactPoint& c) const {
   if (c.gap_at_start == 0) return;
-  const auto [from, to] = edge_of(c);
-  const Point t = (to - from).normalized();
   c.gap -= c.gap_at_start;
-  c.separation -= c.gap_at_start * Point(t.y(), -t.x());
+  c.separation -= c.gap_at_start * normal_of(c);
 }
 
 bool CurrentOutlines::rounds_to(double rounding_m) {

@@ -21,18 +21,27 @@ constexpr double closing = 2 * most_turn_in_step;  ///< rad by which a face may 
 
 class CurrentOutlines {
  public:
+  struct Edge {
+    Point along = Point::Zero();  ///< of unit length
+    double length_m = 0;
+  };
+
   CurrentOutlines(const MovingParts& parts, double size_m);
 
-  /// Of one block.
+  /// Takes one block to where it is.
   void move(std::size_t block, const std::vector<Placement>& placements);
 
   [[nodiscard]] const MovingParts& parts() const { return parts_; }
   [[nodiscard]] const std::vector<std::vector<Point>>& all() const { return corners_; }
   [[nodiscard]] const std::vector<Point>& of(int block) const { return corners_[at(block)]; }
+  /// Edges of one block, each from its corner to the next.
+  [[nodiscard]] const std::vector<Edge>& edges(int block) const { return edges_[at(block)]; }
   [[nodiscard]] const Point& vertex_of(const ContactPoint& c) const {
     return corners_[at(c.vertex_block)][at(c.vertex)];
   }
   [[nodiscard]] std::pair<Point, Point> edge_of(const ContactPoint& c) const;
+  /// Of a contact's edge, outward.
+  [[nodiscard]] Point normal_of(const ContactPoint& c) const;
 
   /// Two contacts of one pair of blocks whose normals point the same way, or that are each other's twins across the
   /// joint.
@@ -56,10 +65,9 @@ class CurrentOutlines {
   }
 
  private:
-  [[nodiscard]] Point normal_of(const ContactPoint& c) const;
-
   const MovingParts& parts_;
   std::vector<std::vector<Point>> corners_;
+  std::vector<std::vector<Edge>> edges_;
   double coincidence_;  ///< m
   double give_;         ///< m
 };

@@ -33,13 +33,16 @@ inline bool reflex(const std::vector<Point>& outline, std::size_t v) {
 /// presses on no other edges. Both sides of a corner that is nearly straight, or very sharp, lie along the edge
 /// whichever side the body is on: the way into the body tells, but for an angle of `turning` [rad]:
 /// the tip of a needle may turn onto a face that it is still off, and that its axis points away from.
-inline bool faces(const std::vector<Point>& outline, std::size_t v, const Point& normal, double closing,
-                  double turning = 0) {
-  const Point to_before = (outline[previous(v, outline.size())] - outline[v]).normalized();
-  const Point to_after = (outline[next(v, outline.size())] - outline[v]).normalized();
+/// `to_before`, `to_after`: of unit length, from the corner along its sides.
+inline bool faces(const Point& to_before, const Point& to_after, const Point& normal, double closing, double turning) {
   if (std::min(normal.dot(to_before), normal.dot(to_after)) < -closing) return false;
   const Point inward = perpendicular(to_after) - perpendicular(to_before);
   return normal.dot(inward) >= -turning * inward.norm();
+}
+inline bool faces(const std::vector<Point>& outline, std::size_t v, const Point& normal, double closing) {
+  const Point to_before = (outline[previous(v, outline.size())] - outline[v]).normalized();
+  const Point to_after = (outline[next(v, outline.size())] - outline[v]).normalized();
+  return faces(to_before, to_after, normal, closing, 0);
 }
 
 /// Does the outline enclose the point? Edges that cross its height on its right are counted.

@@ -70,10 +70,10 @@ void ContactSearch::find_planes() {
 int ContactSearch::law_on(int vertex_block, std::size_t vertex, int edge_block, std::size_t edge,
                           const Point& t) const {
   if (planes_.empty()) return laws_.between(vertex_block, edge_block);
-  const auto& V = outlines_.of(vertex_block);
-  const std::size_t before = previous(vertex, V.size());
-  const double turned_in = t.dot((V[vertex] - V[before]).normalized());
-  const double turned_out = t.dot((V[next(vertex, V.size())] - V[vertex]).normalized());
+  const auto& edges = outlines_.edges(vertex_block);
+  const std::size_t before = previous(vertex, edges.size());
+  const double turned_in = t.dot(edges[before].along);
+  const double turned_out = t.dot(edges[vertex].along);
   const std::size_t face = turned_in < turned_out ? before : vertex;
   const ContactSide& at_face = parts_.contact_outlines[at(vertex_block)][face];
   const ContactSide& at_edge = parts_.contact_outlines[at(edge_block)][edge];
@@ -121,25 +121,25 @@ void ContactSearch::vertices_on_edges(int vertex_block, int edge_block) {
   // Less deep, a vertex that slipped past an acute corner keeps its contact.
   const double deep = std::max(outlines_.coincidence_m(), 1e-3 * (zone.sizes().minCoeff() - pairs_.reach_m() -
                                                                   2 * openings_.largest_m(at(edge_block))));
+  const auto& edges_of_vertex = outlines_.edges(vertex_block);
+  const auto& edges = outlines_.edges(edge_block);
   for (std::size_t v = 0; v < V.size(); ++v) {
     if (!zone.contains(V[v])) continue;
     const Point& before = V[previous(v, V.size())];
     const Point& after = V[next(v, V.size())];
-    const Point to_before = (before - V[v]).normalized();
-    const Point to_after = (after - V[v]).normalized();
+    const Point to_before = -edges_of_vertex[previous(v, V.size())].along;
+    const Point& to_after = edges_of_vertex[v].along;
     // A reflex vertex cannot enter anything; a node on a face that has bent can.
     if (cross(to_after, to_before) < -parallel_tolerance) continue;
     for (std::size_t e = 0; e < E.size(); ++e) {
       const Point& a = E[e];
-      const Point span = E[next(e, E.size())] - a;
-      const double edge_length = span.norm();
-      const Point t = span / edge_length;
+      const auto& [t, edge_length] = edges[e];
       const Point n(t.y(), -t.x());
       const double gap = n.dot(V[v] - a);
       const double s = t.dot(V[v] - a);
       const double beyond = std::max(-s, s - edge_length);
       if (std::max({gap - opened, -gap, beyond}) > pairs_.reach_m()) continue;
-      if (!faces(V, v, n, closing, gap > outlines_.coincidence_m() ? closing : 0)) continue;
+      if (!faces(to_before, to_after, n, closing, gap > outlines_.coincidence_m() ? closing : 0)) continue;
       // On the block's far side, not in it; a tip that may pass another can be out of that again beside the edge's end.
       const auto has_passed = [&] {
         return gap >= -outlines_.give_m() && pierces(V, v, E, e, outlines_.coincidence_m());
@@ -192,8 +192,9 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
   found_.inherited.assign(found_.all.size(), 0);
   std::vector<const ContactPoint*> gone;
   std::vector<ContactPoint> parting;
+  auto heir = found_.all.begin();
   for (const ContactPoint& was : old) {
-    const auto heir = std::lower_bound(found_.all.begin(), found_.all.end(), was, precedes);
+    while (heir != found_.all.end() && precedes(*heir, was)) ++heir;
     if (heir == found_.all.end() || !heir->same_key(was)) {
       if (was.state != ContactState::open || was.has_touched()) gone.push_back(&was);
       if (openings_.slips_on(was)) parting.push_back(was);
@@ -215,9 +216,9 @@ void ContactSearch::inherit(const std::vector<Placement>& placements, std::vecto
     const double reach_m = pairs_.reach_m() + openings_.of(*was);
     double nearest_m = std::numeric_limits<double>::infinity();
     const auto [first, end] = std::equal_range(found_.all.begin(), found_.all.end(), *was, of_lower_pair);
-    for (auto heir = first; heir != end; ++heir) {
-      ContactPoint& c = *heir;
-      if (found_.inherited[static_cast<std::size_t>(heir - found_.all.begin())] != 0 ||
+    for (auto near = first; near != end; ++near) {
+      ContactPoint& c = *near;
+      if (found_.inherited[static_cast<std::size_t>(near - found_.all.begin())] != 0 ||
           !outlines_.of_one_joint(c, *was))
         continue;
       const double distance_m = (outlines_.vertex_of(c) - place).norm();
