@@ -14,7 +14,7 @@ class EnergyBalance {
  public:
   /// Work of all loads except weight and initial stress, and of moving supports and base [J per metre].
   [[nodiscard]] double given_j_per_m() const { return given_; }
-  /// Energy in bolts and in contact springs since the start of the run [J per metre].
+  /// Energy in bolts and in springs of supports since the start of the run [J per metre]; contacts keep their own.
   [[nodiscard]] double stored_j_per_m() const { return stored_; }
 
   /// The force on a block for the step that ends under `now`.

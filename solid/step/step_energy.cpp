@@ -26,9 +26,12 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
                                   (strain(c.i) + strained(c.i) / 2).dot(c.stiffness * strained(c.j));
   }
   for (const int k : s.island.supports) give_by_support(k, dt);
+  const auto keep = [&](const Interaction& action, double rise) {
+    trial_.for_motion[at(trial_.moves(action.block_i) ? action.block_i : action.block_j)] -= rise;
+  };
   const auto store = [&](const Interaction& action, double rise) {
     state_.energy.store(rise);
-    trial_.for_motion[at(trial_.moves(action.block_i) ? action.block_i : action.block_j)] -= rise;
+    keep(action, rise);
   };
   const auto stored_by_support = [this](int k) {
     const Support& support = state_.supports[at(k)];
@@ -38,7 +41,7 @@ void StepEnergy::balance(IslandEquations& s, double dt) {
   };
   std::size_t next = 0;
   for (const int k : s.island.contacts) {
-    store(s.actions[next++], state_.contacts[at(k)].stored_j_per_m - formulation_->before().contact(k).stored_j_per_m);
+    keep(s.actions[next++], state_.contacts[at(k)].stored_j_per_m - formulation_->before().contact(k).stored_j_per_m);
   }
   for (const int k : s.island.supports) store(s.actions[next++], stored_by_support(k));
   for (const int k : s.bolts) {

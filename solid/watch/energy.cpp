@@ -35,7 +35,9 @@ Energy energy_of(const Solid& solid) {
 void EnergyWatch::look(const Solid& solid) {
   now_ = energy_of(solid);
   const EnergyBalance& balance = solid.state().energy;
-  const double own = now_.total() + balance.stored_j_per_m() - balance.given_j_per_m();
+  double stored = balance.stored_j_per_m();
+  for (const ContactPoint& c : solid.contacts()) stored += c.stored_j_per_m;
+  const double own = now_.total() + stored - balance.given_j_per_m();
   lowest_ = begun_ ? std::min(lowest_, own) : own;
   made_ = std::max(made_, own - lowest_);
   const double had =
