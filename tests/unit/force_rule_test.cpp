@@ -58,14 +58,19 @@ TEST(ForceRule, WhatDilatesOpensAsItSlips) {
   EXPECT_NEAR(found.force.y(), -0.5 * found.force.x(), 1e-14);
 }
 
+Eigen::Matrix2d any_flexibility(std::mt19937& random) {
+  std::normal_distribution<double> any;
+  Eigen::Matrix2d root;
+  root << any(random), any(random), any(random), any(random);
+  return root * root.transpose() + 0.05 * round;
+}
+
 TEST(ForceRule, HoldsForRandomPoints) {
   std::mt19937 random(1);
   std::normal_distribution<double> any;
   std::uniform_real_distribution<double> share;
   for (int k = 0; k < 20000; ++k) {
-    Eigen::Matrix2d root;
-    root << any(random), any(random), any(random), any(random);
-    const Eigen::Matrix2d W = root * root.transpose() + 0.05 * round;
+    const Eigen::Matrix2d W = any_flexibility(random);
     // As steep as friction may be before a point jams.
     const double most = 0.9 * W(0, 0) / (std::abs(W(0, 1)) + 1e-12);
     const ForceRule rule{.friction = std::min(2.0, most) * share(random), .cohesion = share(random) < 0.5 ? 0 : 0.3};
@@ -94,9 +99,7 @@ TEST(ForceRule, OfADryPointIsTheSameInFewerOperations) {
   std::normal_distribution<double> any;
   std::uniform_real_distribution<double> share;
   for (int k = 0; k < 20000; ++k) {
-    Eigen::Matrix2d root;
-    root << any(random), any(random), any(random), any(random);
-    const Eigen::Matrix2d W = root * root.transpose() + 0.05 * round;
+    const Eigen::Matrix2d W = any_flexibility(random);
     const PointForces<double> point(law_of({.friction = 3 * share(random)}, W));  // steep ones jam
     const double gap = any(random);
     const double slip = any(random);
