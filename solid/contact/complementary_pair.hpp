@@ -18,13 +18,19 @@ struct ComplementaryPair {
   [[nodiscard]] double lacks(double product) const { return (product - product_change) / force - motion; }
   /// The fraction of its changes, at most all, that uses `within` of the distance to zero.
   [[nodiscard]] double positive_fraction(double within) const {
-    const double of_force = force_change < 0 ? -within * force / force_change : 1;
-    const double of_motion = motion_change < 0 ? -within * motion / motion_change : 1;
-    return std::min({1.0, of_force, of_motion});
+    return std::min(force_fraction(within), motion_fraction(within));
   }
+  [[nodiscard]] double force_fraction(double within) const { return fraction(force, force_change, within); }
+  [[nodiscard]] double motion_fraction(double within) const { return fraction(motion, motion_change, within); }
   /// The product after that fraction of the changes.
-  [[nodiscard]] double product_after(double fraction) const {
-    return (force + fraction * force_change) * (motion + fraction * motion_change);
+  [[nodiscard]] double product_after(double fraction) const { return product_after(fraction, fraction); }
+  [[nodiscard]] double product_after(double of_force, double of_motion) const {
+    return (force + of_force * force_change) * (motion + of_motion * motion_change);
+  }
+
+ private:
+  static double fraction(double of, double change, double within) {
+    return change < 0 ? std::min(1.0, -within * of / change) : 1;
   }
 };
 

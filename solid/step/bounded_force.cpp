@@ -12,71 +12,78 @@ bool BoundedForce::fits(const ForceRule& rule) {
 }
 
 BoundedForce::BoundedForce(const ForceRule& rule, const Eigen::Vector2d& force, double least)
-    : open_(false),
-      bonded_(rule.cohesion > 0),
+    : count_(rule.cohesion > 0 ? 3 : 2),
       friction_(rule.friction),
       cohesion_(rule.cohesion),
-      tension_(bonded_ ? -rule.least_normal : 0) {
-  if (!bonded_) {
+      tension_(bonded() ? -rule.least_normal : 0) {
+  auto& [minus, plus, pulled] = distances_;
+  if (bonded()) {
+    const double normal = std::max(force.x(), least - tension_);
+    const double bound = friction_ * normal + cohesion_;
+    const double most = std::max(0.0, bound - 2 * least);
+    const double shear = std::clamp(force.y(), -most, most);
+    minus.force = (bound - shear) / 2;
+    plus.force = (bound + shear) / 2;
+    pulled.force = normal + tension_;
+  } else {
     const double half = force.x() / 2;
     const double skewed = friction_ > 0 ? force.y() / (2 * friction_) : 0;
-    distance_ = {std::max(half - skewed, least), std::max(half + skewed, least), 0};
-    return;
+    minus.force = std::max(half - skewed, least);
+    plus.force = std::max(half + skewed, least);
   }
-  const double normal = std::max(force.x(), least - tension_);
-  const double bound = friction_ * normal + cohesion_;
-  const double most = std::max(0.0, bound - 2 * least);
-  const double shear = std::clamp(force.y(), -most, most);
-  distance_ = {(bound - shear) / 2, (bound + shear) / 2, normal + tension_};
+  for (ComplementaryPair& p : distances()) p.motion = 1 / p.force;
 }
 
 Eigen::Vector2d BoundedForce::force() const {
-  const auto& [minus, plus, pulled] = std::array{distance_[0], distance_[1], distance_[2]};
-  if (bonded_) return {pulled - tension_, plus - minus};
-  return {minus + plus, friction_ * (plus - minus)};
+  const auto& [minus, plus, pulled] = distances_;
+  if (bonded()) return {pulled.force - tension_, plus.force - minus.force};
+  return {minus.force + plus.force, friction_ * (plus.force - minus.force)};
 }
 
-Eigen::Matrix2d BoundedForce::squares() const {
+Eigen::Matrix2d BoundedForce::stiffness() const {
+  const auto& [minus, plus, pulled] = distances_;
   const double f = friction_;
   Eigen::Matrix2d k;
-  if (!bonded_) {
-    const double a = distance_[0] * distance_[0];
-    const double b = distance_[1] * distance_[1];
+  if (!bonded()) {
+    const double a = minus.stiffness();
+    const double b = plus.stiffness();
     k << a + b, f * (b - a), f * (b - a), f * f * (a + b);
     return k;
   }
-  const double a = 1 / (4 * distance_[0] * distance_[0]);
-  const double b = 1 / (4 * distance_[1] * distance_[1]);
-  const double c = 1 / (distance_[2] * distance_[2]);
+  const double a = 1 / (4 * minus.stiffness());
+  const double b = 1 / (4 * plus.stiffness());
+  const double c = 1 / pulled.stiffness();
   k << a + b, f * (a - b), f * (a - b), f * f * (a + b) + c;
   return k / (4 * f * f * a * b + c * (a + b));
 }
 
-Eigen::Vector2d BoundedForce::to_centre() const {
-  if (!bonded_) return force();
-  const auto [a, b, c] = std::array{0.5 / distance_[0], 0.5 / distance_[1], 1 / distance_[2]};
-  return squares() * Eigen::Vector2d(friction_ * (a + b) + c, b - a);
+Eigen::Vector2d BoundedForce::change_at_rest(double product) const {
+  const auto aim = [&](const ComplementaryPair& p) { return (product - p.product_change) / p.force; };
+  const auto& [minus, plus, pulled] = distances_;
+  const double f = friction_;
+  if (bonded()) {
+    const auto [a, b] = std::array{aim(minus) / 2, aim(plus) / 2};
+    return stiffness() * Eigen::Vector2d(f * (a + b) + aim(pulled), b - a);
+  }
+  const auto [a, b] = std::array{minus.stiffness() * aim(minus), plus.stiffness() * aim(plus)};
+  return {a + b, f * (b - a)};
 }
 
-void BoundedForce::set_motion(const Eigen::Vector2d& motion) {
+void BoundedForce::set_changes(double product, const Eigen::Vector2d& motion) {
   motion_ = motion;
-  if (!bonded_) {
-    const auto [minus, plus] = std::array{distance_[0], distance_[1]};
-    change_ = {minus - minus * minus * (motion.x() - friction_ * motion.y()),
-               plus - plus * plus * (motion.x() + friction_ * motion.y()), 0};
+  auto& [minus, plus, pulled] = distances_;
+  if (!bonded()) {  // each distance has its own motion
+    const double opens = friction_ * motion.y();
+    minus.motion_change = motion.x() - opens - minus.motion;
+    plus.motion_change = motion.x() + opens - plus.motion;
+    for (ComplementaryPair& p : distances()) p.force_change = p.stiffness() * (p.lacks(product) - p.motion_change);
     return;
   }
-  const Eigen::Vector2d change = to_centre() - squares() * motion;
-  change_ = {(friction_ * change.x() - change.y()) / 2, (friction_ * change.x() + change.y()) / 2, change.x()};
-}
-
-double BoundedForce::lost() const {
-  const double of_shear = std::max(-change_[0] / distance_[0], -change_[1] / distance_[1]);
-  return bonded_ ? std::max(of_shear, -change_[2] / distance_[2]) : of_shear;
-}
-
-void BoundedForce::change(double fraction) {
-  distance_ += fraction * change_;
+  const Eigen::Vector2d change = change_at_rest(product) - stiffness() * motion;
+  minus.force_change = (friction_ * change.x() - change.y()) / 2;
+  plus.force_change = (friction_ * change.x() + change.y()) / 2;
+  pulled.force_change = change.x();
+  for (ComplementaryPair& p : distances()) p.motion_change = p.lacks(product) - p.force_change / p.stiffness();
 }
 
 double BoundedForce::closes() const {

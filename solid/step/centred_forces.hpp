@@ -2,7 +2,8 @@
 // Forces by which many rigid blocks that rest go on resting, in contacts without bonds or with bonds that last. Of all
 // admissible forces those farthest from their bounds: their analytic centre (Sonnevend 1985), which maximizes the
 // product of the distances from all bounds. Newton's method follows it from the forces of the step before in a solution
-// or two. The contact states need no search meanwhile: at the centre every contact sticks.
+// or two; where there are none, a primal-dual method finds it. The contact states need no search meanwhile: at the
+// centre every contact sticks.
 #pragma once
 
 #include <vector>
@@ -28,16 +29,27 @@ class CentredForces : StepPart {
   Held hold(IslandEquations& island);
 
  private:
+  struct Fractions {
+    double of_forces = 1;
+    double of_motions = 1;
+  };
+
   bool begin(IslandEquations& island);
-  void set_stiffnesses(IslandEquations& island);
+  double unbalanced(IslandEquations& island);
   bool find_changes(IslandEquations& island);
+  void set_stiffnesses(IslandEquations& island);
+  void find_residual_at_rest(IslandEquations& island, double product);
+  void set_changes(const IslandEquations& island, double product);
   [[nodiscard]] bool none_can_hold(const IslandEquations& island) const;
-  double change(IslandEquations& island);
+  [[nodiscard]] Fractions fractions(double within) const;
+  [[nodiscard]] double mean_product(double of_forces, double of_motions) const;
+  void change();
   void take(IslandEquations& island);
 
   std::vector<BoundedForce> forces_;  ///< of the island's contacts
   Eigen::VectorXd loads_;
-  double share_ = 0;  ///< of the squares: what makes stiffnesses of them, large against inertia
+  double share_ = 0;    ///< of the stiffnesses: large against inertia
+  bool whole_ = false;  ///< were the last changes made as found? At first: are there forces of a step before?
 };
 
 }  // namespace blockweir::solid

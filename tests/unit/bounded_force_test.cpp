@@ -46,6 +46,13 @@ TEST(BoundedForce, IsTheGivenOneWithinItsBounds) {
   }
 }
 
+void follow(BoundedForce& force, double fraction) {
+  for (ComplementaryPair& p : force.distances()) {
+    p.force += fraction * p.force_change;
+    p.motion += fraction * p.motion_change;
+  }
+}
+
 /// A step of Newton's method on the gradient, whose derivative is found by differences.
 TEST(BoundedForce, ChangesByNewtonsMethod) {
   constexpr double h = 1e-2;
@@ -58,13 +65,34 @@ TEST(BoundedForce, ChangesByNewtonsMethod) {
       const Eigen::Vector2d d = h * Eigen::Vector2d::Unit(i);
       derivative.col(i) = (gradient(rule, at + d) - gradient(rule, at - d)) / (2 * h);
     }
-    EXPECT_LT((-force.squares() * derivative - Eigen::Matrix2d::Identity()).norm(), 1e-4);
-    const Eigen::Vector2d to_centre = force.squares() * gradient(rule, at);
-    EXPECT_LT((force.to_centre() - to_centre).norm(), 1e-4 * to_centre.norm());
-    const Eigen::Vector2d expected = at + 0.25 * (to_centre - force.squares() * motion);
-    force.set_motion(motion);
-    force.change(0.25);
+    EXPECT_LT((-force.stiffness() * derivative - Eigen::Matrix2d::Identity()).norm(), 1e-4);
+    const Eigen::Vector2d to_centre = force.stiffness() * gradient(rule, at);
+    EXPECT_LT((force.change_at_rest(1) - to_centre).norm(), 1e-4 * to_centre.norm());
+    const Eigen::Vector2d expected = at + 0.25 * (to_centre - force.stiffness() * motion);
+    force.set_changes(1, motion);
+    follow(force, 0.25);
     EXPECT_LT((force.force() - expected).norm(), 1e-3);
+  }
+}
+
+/// To first order in all changes, away from the centre, too.
+TEST(BoundedForce, ChangesSoThatProductsComeToTheirAim) {
+  const Eigen::Vector2d motion(0.013, -0.008);
+  for (const ForceRule& rule : {dry, bonded, clay}) {
+    BoundedForce force(rule, {40, 11}, 1e-3);
+    force.set_changes(1, motion);
+    follow(force, 0.2);
+    double left_out = 0.01;
+    for (ComplementaryPair& p : force.distances()) p.product_change = left_out += 0.02;
+    const Eigen::Vector2d before = force.force();
+    const Eigen::Vector2d change = force.change_at_rest(0.7) - force.stiffness() * motion;
+    force.set_changes(0.7, motion);
+    for (const ComplementaryPair& p : force.distances()) {
+      const double product = p.force * p.motion + p.force_change * p.motion + p.force * p.motion_change;
+      EXPECT_NEAR(product, 0.7 - p.product_change, 1e-12);
+    }
+    follow(force, 1);
+    EXPECT_LT((force.force() - before - change).norm(), 1e-10);
   }
 }
 
@@ -72,9 +100,11 @@ TEST(BoundedForce, ChangesByNewtonsMethod) {
 TEST(BoundedForce, LosesADistanceWhereItComesToItsBound) {
   for (const ForceRule& rule : {dry, bonded, clay}) {
     BoundedForce force(rule, {40, 11}, 1e-3);
-    force.set_motion({-0.5, 0.9});
-    ASSERT_GT(force.lost(), 0);
-    force.change(1 / force.lost());
+    force.set_changes(1, {0.5, 0.9});
+    double fraction = 1;
+    for (const ComplementaryPair& p : force.distances()) fraction = std::min(fraction, p.force_fraction(1));
+    ASSERT_LT(fraction, 1);
+    follow(force, fraction);
     const Eigen::Vector2d f = force.force();
     const double bound = rule.cohesion + rule.friction * f.x();
     const double left = std::min({bound - f.y(), bound + f.y(), rule.cohesion > 0 ? f.x() - rule.least_normal : 1e9});
@@ -87,7 +117,7 @@ TEST(BoundedForce, ResistsAnOpeningMotionByTheMostThatItsBondBears) {
   for (const ForceRule& rule : {dry, bonded, clay}) {
     BoundedForce force(rule, {40, 11}, 1e-3);
     const Eigen::Vector2d opens(0.9, 0.7);
-    force.set_motion(opens);
+    force.set_changes(1, opens);
     EXPECT_EQ(force.closes(), 0);
     double most = -1e30;
     for (double n = rule.least_normal; n < 400; n += 1) {
@@ -95,7 +125,7 @@ TEST(BoundedForce, ResistsAnOpeningMotionByTheMostThatItsBondBears) {
       for (const double t : {-bound, bound}) most = std::max(most, -opens.dot(Eigen::Vector2d(n, t)));
     }
     EXPECT_NEAR(force.resists(), most, 1e-12);
-    force.set_motion({-1, 0});
+    force.set_changes(1, {-1, 0});
     EXPECT_EQ(force.closes(), 2);
   }
 }
