@@ -49,7 +49,7 @@ SceneFileCheck check_but_benches(const scene::ReadScene& read, const std::filesy
   for (const scene::Variant& variant : read.scene.variants) {
     wrong.from([&] {
       add_warnings(read, fmt::format("variant \"{}\"", variant.name), variant.line,
-                   scene::read_variant(path, variant.name, overrides).warnings, warnings);
+                   scene::read_variant(path, variant, overrides).warnings, warnings);
     });
   }
   for (const scene::LoadCase& load_case : read.load_cases) {

@@ -77,7 +77,7 @@ Choice choice_of(const fs::path& path, scene::FluidModel model, const Settings& 
   const scene::Scene as_it_stands = scene::read(path, overrides).scene;
   if (as_it_stands.fluid == model) return {};
   for (const scene::Variant& variant : as_it_stands.variants) {
-    if (scene::read_variant(path, variant.name, overrides).scene.fluid == model) return {.variant = variant.name};
+    if (scene::read_variant(path, variant, overrides).scene.fluid == model) return {.variant = variant.name};
   }
   Settings set = {fmt::format("fluid={{ model = \"{}\" }}", scene::fluid_entry(model).key)};
   if (model != scene::FluidModel::openfoam && !as_it_stands.water_expectations.empty())

@@ -212,11 +212,8 @@ ReadScene read_variant(const std::filesystem::path& path, const std::string& nam
   const Scene scene = read(path).scene;
   std::vector<std::string> names;
   for (const Variant& variant : scene.variants) {
+    if (variant.name == name) return read_variant(path, variant, overrides);
     names.push_back(variant.name);
-    if (variant.name != name) continue;
-    std::vector<std::string> all = variant.set;
-    all.insert(all.end(), overrides.begin(), overrides.end());
-    return read_entry(path, {fmt::format("[[variant]] \"{}\"", name), variant.line, variant.set}, all);
   }
   const std::string meant = did_you_mean(name, names);
   refuse(scene.file.string(), 0, fmt::format("there is no variant \"{}\"", name),
@@ -224,6 +221,13 @@ ReadScene read_variant(const std::filesystem::path& path, const std::string& nam
          !meant.empty()  ? meant
          : names.empty() ? "leave --variant out, or add one"
                          : "name one of these, or leave --variant out");
+}
+
+ReadScene read_variant(const std::filesystem::path& path, const Variant& variant,
+                       const std::vector<std::string>& overrides) {
+  std::vector<std::string> all = variant.set;
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return read_entry(path, {fmt::format("[[variant]] \"{}\"", variant.name), variant.line, variant.set}, all);
 }
 
 }  // namespace blockweir::scene

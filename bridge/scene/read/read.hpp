@@ -38,8 +38,11 @@ ReadScene read(const std::filesystem::path& path, const std::vector<std::string>
 /// scene itself. Throws SceneError as read() does, and if there is no such variant.
 ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
                        const std::vector<std::string>& overrides = {});
+/// The same for one that the scene was found to have.
+ReadScene read_variant(const std::filesystem::path& path, const Variant& variant,
+                       const std::vector<std::string>& overrides = {});
 
-/// The same for text in memory; `name` replaces the file name in messages.
+/// Reads and checks text in memory; `name` replaces the file name in messages.
 ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
 
 }  // namespace blockweir::scene
