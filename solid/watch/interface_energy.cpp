@@ -14,12 +14,17 @@ constexpr double least_share = 0.5;  // of the water's work
 constexpr int in_a_row = 5;          // 3^5 times the energy at first
 constexpr std::uint64_t patience = 40;
 
+/// Kinetic energy of blocks at rest, and what would lift them by a hundredth of a failure: on springs, and where blocks
+/// strain, what stands takes up energy and gives it back without moving farther.
 double resting_energy(const Solid& solid) {
+  constexpr double unnoticed = 1e-2;
   double mass = 0;
   for (std::size_t b = 0; b < solid.described(); ++b) {
     if (!solid.blocks()[b].fixed) mass += solid.blocks()[b].mass_per_m();
   }
-  return mass * std::pow(solid.scene().analysis.rest_speed_m_per_s, 2) / 2;
+  const scene::Analysis& analysis = solid.scene().analysis;
+  return mass * (std::pow(analysis.rest_speed_m_per_s, 2) / 2 +
+                 unnoticed * analysis.gravity_m_per_s2 * analysis.failure_displacement_m);
 }
 
 }  // namespace

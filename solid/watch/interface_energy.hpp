@@ -69,7 +69,7 @@ class InterfaceEnergy {
   void judge(double kinetic);
 
   const Solid& solid_;
-  double least_;                         ///< kinetic energy of blocks at rest [J per metre]
+  double least_;                         ///< that moves nothing noticeably [J per metre]
   std::vector<Eigen::Vector3d> forces_;  ///< F of the last exchange
   std::vector<Eigen::Vector3d> sent_;    ///< d of the last exchange
   double solid_work_ = 0;                ///< at the end of the last window

@@ -119,5 +119,65 @@ vertices_m = [[0, 0], [29, 0], [5, 32], [5, 38], [0, 38]]
   EXPECT_NEAR(usual["margin"]["slip_m"].get<double>(), slip, 0.01 * slip);
 }
 
+/// Elastic energy goes to and fro: a wall that strained under a pond was warned of for 0.02 J.
+TEST_F(InterfaceEnergy, OfAWallThatOnlyStrainsNothingIsSaid) {
+  std::ofstream(folder / "s.toml") << R"(
+analysis = { duration_s = 0.02, step_s = 0.01 }
+coupling = { schedule = "improved" }
+joint = { friction_angle_deg = 25, uplift = "triangular" }
+water = { upstream_level_m = { from = 6.5, rate_per_s = 1.0, to = 7.9 } }
+material.brick = { youngs_modulus_pa = 5e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+[[block]]
+name = "rock"
+material = "brick"
+fixed = true
+vertices_m = [[-10, -2], [20, -2], [20, 0], [-10, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+brick_length_m = 1
+brick_height_m = 0.5
+rows = 16
+columns = 4
+)";
+  EXPECT_EQ(shell(programs + "/blockweir run s.toml --inproc --out r --quiet"), 0) << text("out");
+  const auto summary = nlohmann::json::parse(text("r/summary.json"));
+  EXPECT_EQ(summary["outcome"], "stands");
+  EXPECT_THAT(summary["warnings"].dump(), testing::Not(HasSubstr("the exchange between")));
+}
+
+/// Springs that stand took up 2.3 mJ: the run was refused as unstable.
+TEST_F(InterfaceEnergy, ADamOnSpringsStandsUnderTheParallelSchedule) {
+  std::ofstream(folder / "s.toml") << R"(
+analysis = { duration_s = 0.24, step_s = 0.003130492508, integrator = "shi", rigid = "all" }
+contact = { formulation = "penalty" }
+coupling = { schedule = "parallel", window_s = 0.006260985016 }
+water = { upstream_level_m = { from = 1.1710419, rate_per_s = 2.4295795, to = 1.9011968 } }
+joint = { friction_angle_deg = 40.222, uplift = "none" }
+material.m = { youngs_modulus_pa = 3.91999e9, poissons_ratio = 0.2, density_kg_per_m3 = 1879.83 }
+[section]
+material = "m"
+outline_m = [[0, 0], [1.45448190606, 0], [0.297289896536, 1.95999666856], [0, 1.95999666856]]
+[[joint_set]]
+name = "bed"
+dip_deg = 13.889
+spacing_m = 0.14
+offset_m = 0.075992
+friction_angle_deg = 38.849
+[[joint_set]]
+name = "cross"
+dip_deg = 61.459
+spacing_m = 0.113282
+offset_m = 0.0514941
+[[block]]
+name = "ground"
+material = "m"
+vertices_m = [[-4, -0.4], [8, -0.4], [8, 0], [-4, 0]]
+fixed = true
+)";
+  EXPECT_EQ(shell(programs + "/blockweir run s.toml --inproc --out r --quiet"), 0) << text("out");
+  EXPECT_FALSE(energy()["grows"].get<bool>());
+}
+
 }  // namespace
 }  // namespace blockweir::test::interface_energy_test
