@@ -117,5 +117,30 @@ vertices_m = [[3, 0], [5, 0], [5, 4], [3, 4]]
                {"joint \"crack\", which does not separate a part of the structure from the ground", "run through"});
 }
 
+/// A wall of 24 bricks had an error for each of 18 cross joints.
+TEST(SceneUplift, JointsThatCannotCrackAreToldTogether) {
+  const std::string wall = R"(
+analysis = { duration_s = 1 }
+joint = { friction_angle_deg = 30, uplift = "cracked" }
+water = { upstream_level_m = 2 }
+material.brick = { youngs_modulus_pa = 1e9, poissons_ratio = 0.2, density_kg_per_m3 = 2000 }
+[[block]]
+name = "rock"
+material = "brick"
+fixed = true
+vertices_m = [[-10, -2], [20, -2], [20, 0], [-10, 0]]
+[[wall]]
+name = "w"
+material = "brick"
+rows = 6
+columns = 4
+brick_length_m = 1
+brick_height_m = 0.5
+)";
+  const std::vector<std::string> errors = sample::errors(wall, {});
+  ASSERT_THAT(errors, testing::SizeIs(1));
+  EXPECT_THAT(errors[0], testing::ContainsRegex("in joint \"w1-1 on w1-2\" and [0-9]+ more, which do not separate"));
+}
+
 }  // namespace
 }  // namespace blockweir::scene_uplift_test

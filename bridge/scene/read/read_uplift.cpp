@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <map>
+#include <vector>
 
 #include "bridge/scene/cracks.hpp"
 #include "bridge/scene/read/reading.hpp"
@@ -106,6 +108,37 @@ void check_station(Reading& reading, const Crack& crack, const char* what, doubl
                          "move it, or state the length from the upstream end and not from the axis");
 }
 
+/// Of the joints that one line of the file lets crack one is named.
+void check_cracking(Reading& reading, const std::vector<Crack>& cracks) {
+  const Scene& scene = reading.scene;
+  std::map<int, std::vector<const Crack*>> cracking;
+  std::map<int, std::vector<const Crack*>> parts_nothing;
+  for (const Crack& crack : cracks) {
+    if (crack.law != Uplift::cracked) continue;
+    cracking[crack.known.line].push_back(&crack);
+    if (parted_by(scene, crack).empty()) parts_nothing[crack.known.line].push_back(&crack);
+  }
+  if (scene.fluid == FluidModel::openfoam || scene.fluid == FluidModel::external) {
+    for (const auto& [line, all] : cracking) {
+      reading.problems.error(
+          reading.problems.at(line),
+          fmt::format("uplift = \"cracked\" with model = \"{}\": the crack's length follows still water",
+                      fluid_entry(scene.fluid).key),
+          "model = \"hydrostatic\" in [fluid]", "change the model, or state uplift = \"full\"");
+    }
+  }
+  for (const auto& [line, all] : parts_nothing) {
+    const std::string more = all.size() > 1 ? fmt::format(" and {} more", all.size() - 1) : "";
+    reading.problems.error(
+        reading.problems.at(line),
+        fmt::format("uplift = \"cracked\" in joint \"{}\"{}, which {} not separate a part of the structure from the "
+                    "ground: the forces that open such a crack do not follow from equilibrium",
+                    name_of(scene, *all.front()), more, all.size() > 1 ? "do" : "does"),
+        "a joint, or joints in one line, that run through the structure",
+        "state it for such a joint, or take uplift = \"full\" or \"triangular\"");
+  }
+}
+
 }  // namespace
 
 void read_uplift(TableReader& table, JointLaw& law, Reading& reading) {
@@ -131,7 +164,8 @@ void check_cracks(Reading& reading) {
       std::none_of(scene.joints.begin(), scene.joints.end(), [&](const Joint& j) { return needs_geometry(j.law); })) {
     return;
   }
-  for (const Crack& crack : find_cracks(scene)) {
+  const std::vector<Crack> cracks = find_cracks(scene);
+  for (const Crack& crack : cracks) {
     if (crack.known.drain) check_station(reading, crack, "the drain", crack.known.drain->station_m);
     for (const Piezometer& p : crack.known.piezometers) check_station(reading, crack, "a piezometer", p.station_m);
     if (!crack.known.piezometers.empty() && crack.known.level_m <= crack.end().y()) {
@@ -142,24 +176,8 @@ void check_cracks(Reading& reading) {
           "the reservoir's level when the piezometers were read",
           "correct it: heads follow the reservoir in proportion");
     }
-    if (crack.law != Uplift::cracked) continue;
-    const Place place = reading.problems.at(crack.known.line);
-    if (scene.fluid == FluidModel::openfoam || scene.fluid == FluidModel::external) {
-      reading.problems.error(place,
-                             fmt::format("uplift = \"cracked\" with model = \"{}\": the crack's length follows still "
-                                         "water",
-                                         fluid_entry(scene.fluid).key),
-                             "model = \"hydrostatic\" in [fluid]", "change the model, or state uplift = \"full\"");
-    }
-    if (!parted_by(scene, crack).empty()) continue;
-    reading.problems.error(
-        place,
-        fmt::format("uplift = \"cracked\" in joint \"{}\", which does not separate a part of the structure from the "
-                    "ground: the forces that open such a crack do not follow from equilibrium",
-                    name_of(scene, crack)),
-        "a joint, or joints in one line, that run through the structure",
-        "state it for such a joint, or take uplift = \"full\" or \"triangular\"");
   }
+  check_cracking(reading, cracks);
 }
 
 }  // namespace blockweir::scene
