@@ -84,9 +84,10 @@ std::string failure_cause(const Supervised& supervised, const fs::path& folder, 
   }
   for (const ChildEnd& end : supervised.ends) {
     if (end.stopped) {
-      return fmt::format(
-          "the {} was stopped (SIGSTOP) and answered no more{}", name_of(end),
-          patience_s > 0 ? fmt::format("; timeout_s of [coupling], {:.4g} s, sets the patience", patience_s) : "");
+      return fmt::format("the {} was stopped (SIGSTOP) and answered no more{}", name_of(end),
+                         patience_s > 0 && supervised.ends.size() > 1
+                             ? fmt::format("; timeout_s of [coupling], {:.4g} s, sets the patience", patience_s)
+                             : "");
     }
   }
   const ChildEnd* cause = cause_of(supervised);

@@ -157,6 +157,11 @@ struct Children {
   }
   /// The one that leads; it tells the others.
   void signal_first(int number) { signal(all.front(), number); }
+  /// Is none left to notice that the others answer no more?
+  [[nodiscard]] bool all_stopped() const {
+    return std::all_of(all.begin(), all.end(),
+                       [](const Child& c) { return !c.running || c.stopped || is_stopped(family_of(c.pid)); });
+  }
   /// Those that are stopped are asked to end and woken, so that they can.
   void wake() {
     for (Child& child : all) {
@@ -241,8 +246,9 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
 
   Supervised result;
   Clock::time_point trouble = Clock::time_point::max();
-  int sent = 0;   // 0 nothing, 1 SIGTERM, 2 SIGKILL
-  int heard = 0;  // of the stop signals to us
+  Clock::time_point worked = begin;  // one of them at least
+  int sent = 0;                      // 0 nothing, 1 SIGTERM, 2 SIGKILL
+  int heard = 0;                     // of the stop signals to us
   while (children.running()) {
     children.wait(signals, result);
     const bool in_touch = tick();
@@ -270,6 +276,8 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
       children.signal(SIGKILL);
     }
     if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
+    if (!children.all_stopped()) worked = now;
+    if (trouble == Clock::time_point::max() && now - worked > std::chrono::duration<double>(grace_s)) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
     children.wake();
     const double waited = seconds_since(trouble);

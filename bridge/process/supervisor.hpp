@@ -62,12 +62,12 @@ class StopsLater {
 /// Runs all commands in parallel until the last has ended. Their standard error goes to
 /// `log_folder`/NAME.log unless a command says otherwise. If one fails, the others have `grace_s` to notice
 /// it, a second before they are connected, then they get SIGTERM, then SIGKILL. A stopped process cannot notice: it
-/// gets SIGTERM at once and is continued so that it can end in order. SIGINT or SIGTERM to us goes to the first
-/// command, which ends in order and tells the others; a second signal, or one before they are connected, goes to all.
-/// Descendants of the commands are waited for, and killed after `grace_s`. An external command that ends before it is
-/// connected has failed, and ends all others at once. If we are killed, the kernel ends the children. `tick`
-/// is called about every 50 ms and returns whether they are connected. After `longest_s` all are killed; 0:
-/// no limit.
+/// gets SIGTERM at once and is continued so that it can end in order; so are all if all are stopped for `grace_s`.
+/// SIGINT or SIGTERM to us goes to the first command, which ends in order and tells the others; a second signal, or one
+/// before they are connected, goes to all. Descendants of the commands are waited for, and killed after `grace_s`. An
+/// external command that ends before it is connected has failed, and ends all others at once. If we are killed, the
+/// kernel ends the children. `tick` is called about every 50 ms and returns whether they are connected. After
+/// `longest_s` all are killed; 0: no limit.
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
                      const std::function<bool()>& tick, double longest_s = 0);
 

@@ -57,9 +57,9 @@ class Reports {
   /// checkpoint would be written, for which whoever asks waits a little, or, where no others are written, until then.
   void solving(std::uint64_t window, double time_s, long solutions) {
     const auto now = Clock::now();
-    if (!channel::stop_requested()) asked_ = now;
+    if (channel::stop_requested() && !asked_) asked_ = now;  // not before: a stopped process (SIGSTOP) is asked late
     const bool twice = channel::stop_requested_twice();
-    if (twice || (checkpoints_ && now - asked_ > patience)) {
+    if (twice || (checkpoints_ && asked_ && now - *asked_ > patience)) {
       throw channel::Interrupted(
           fmt::format("asked{} to stop, in window {} at {:.4g} s", twice ? " twice" : "", window, time_s));
     }
@@ -101,7 +101,7 @@ class Reports {
   int fd_;
   double duration_s_;
   bool checkpoints_;
-  Clock::time_point asked_ = Clock::now();  ///< to stop; the present while nobody has
+  std::optional<Clock::time_point> asked_;  ///< to stop
   Clock::time_point last_ = Clock::now();
   Clock::time_point looked_;
   channel::Channel* fluid_ = nullptr;

@@ -94,13 +94,17 @@ TEST_F(Busy, ALongWindowIsLeftSoonWhereAskedOnceUnlessItsCheckpointIsTheOnlyOne)
   }
 }
 
+/// The solid leaves one, too, where it was stopped for longer than it would take to leave a window without.
 TEST_F(Busy, AStoppedPartnerIsNamedAndLeavesACheckpoint) {
-  for (const std::string victim : {"solid", "hydrostatic"}) {
-    const pid_t pid = start_long_run("--quiet --set coupling.window_s=0.001 --set coupling.timeout_s=1");
+  for (const auto& [victim, more] : {std::pair<std::string, std::string>{"solid", " --set coupling.timeout_s=4"},
+                                     {"hydrostatic", " --set coupling.timeout_s=1"},
+                                     {"inproc", " --inproc"}}) {
+    const pid_t pid = start_long_run("--quiet --set coupling.window_s=0.001" + more);
     ASSERT_TRUE(under_way("o", 3)) << text("log");
     EXPECT_TRUE(signal_child(pid, victim, "STOP"));
     EXPECT_EQ(end_of(pid, 20), 1) << text("log");
-    EXPECT_THAT(text("log"), HasSubstr("the " + victim + " process was stopped (SIGSTOP) and answered no more"));
+    const std::string name = victim == "inproc" ? "solid" : victim;
+    EXPECT_THAT(text("log"), HasSubstr("the " + name + " process was stopped (SIGSTOP) and answered no more"));
     EXPECT_THAT(text("log"), HasSubstr("\"blockweir resume o\" continues the run"));
     EXPECT_THAT(text("log"), testing::Not(HasSubstr("ended by signal")));
     EXPECT_FALSE(orphan());

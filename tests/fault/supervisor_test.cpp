@@ -71,6 +71,20 @@ TEST_F(Supervisor, OneAsideIsKilledOnceTheOthersHaveEndedBadly) {
   EXPECT_FALSE(orphan());
 }
 
+TEST_F(Supervisor, OneThatIsAloneAndStoppedIsWaitedForNoLongerThanTheGrace) {
+  process::Command aside = in_shell("aside", "kill -STOP $$; sleep 250");
+  aside.aside = true;
+  const std::string stops = "trap 'echo left >order; exit 1' TERM; kill -STOP $$; while :; do sleep 0.01; done";
+  const process::Supervised alone =
+      process::supervise({in_shell("solid", stops), aside}, folder, 0.5, [] { return true; });
+  EXPECT_TRUE(alone.ends.front().stopped);
+  EXPECT_EQ(text("order"), "left\n");
+  const process::Supervised after =
+      process::supervise({in_shell("solid", "exit 0"), aside}, folder, 0.5, [] { return true; });
+  EXPECT_TRUE(after.all_fine());
+  EXPECT_FALSE(orphan());
+}
+
 TEST_F(Supervisor, OneThatHangsAndIsKilledIsNotTheCause) {
   EXPECT_EQ(trouble_with("trap '' TERM; touch begun; while :; do :; done"), "the last word");
   EXPECT_FALSE(orphan());
