@@ -77,7 +77,9 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     const int k = island.contact_ids[i];
     ContactPoint& c = island.contacts[at(k)];
     before_.note(k, c);
-    c.let_go = c.state == ContactState::open;
+    // What a lasting bond has been opened by it pulls at with its strength alone.
+    const bool stretched = settings_.swept && laws_[c.law].keeps_cohesion && c.gap > settings_.penetration_tolerance_m;
+    c.let_go = c.state == ContactState::open || stretched;
     Progress& progress = progress_.contact(k) = {};
     const EdgeFrame edge = edge_frame(trial, c);
     if (settings_.lasting_overlap_m > 0) {

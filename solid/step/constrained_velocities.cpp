@@ -196,7 +196,7 @@ void ConstrainedVelocities::rule_of_contact(ForceSweeps::Row& row, double openin
     rule.friction = row.rule.friction;
     rule.cohesion = impulse_per_force(dt) * row.rule.cohesion;
     rule.opens = row.rule.opens;
-    if (!rule.opens) rule.least_normal = -ForceRule::unbounded;
+    if (!rule.opens) rule.least_normal = impulse_per_force(dt) * row.rule.least_normal;  // of what gives way, no more
     row.force *= impulse_per_force(dt);
   }
   row.rule = rule;
