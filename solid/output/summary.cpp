@@ -7,6 +7,7 @@
 #include "solid/output/checks.hpp"
 #include "solid/output/held_level.hpp"
 #include "solid/output/new_contacts.hpp"
+#include "solid/output/pressing_corners.hpp"
 #include "solid/output/verdict.hpp"
 #include "solid/output/water_on_crest.hpp"
 
@@ -97,8 +98,8 @@ void add_warnings(const expect::Outcome& outcome, json& warnings) {
   for (const std::string& warning :
        {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
         penetration_warning(outcome), outcome.edge_tension.warning(), outcome.strain.warning(outcome.solid),
-        new_contacts_warning(outcome), water_on_crest_warning(outcome), held_level_warning(outcome),
-        outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
+        new_contacts_warning(outcome), pressing_corners_warning(outcome), water_on_crest_warning(outcome),
+        held_level_warning(outcome), outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
     if (!warning.empty()) warnings.push_back(warning);
   }
 }
