@@ -3,6 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/engine_options.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 #include "bridge/reliability/reliability.hpp"
 
 namespace blockweir::launch {
@@ -14,7 +15,10 @@ Work reliability_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   add_engine_options(app, options->engine);
-  return [options] { return study::print_reliability(*options); };
+  return [options] {
+    require_sound_file(options->scene, options->overrides);
+    return study::print_reliability(*options);
+  };
 }
 
 }  // namespace blockweir::launch

@@ -2,7 +2,9 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 #include "bridge/launch/version.hpp"
+#include "bridge/process/previous_run.hpp"
 #include "bridge/report/report.hpp"
 
 namespace blockweir::launch {
@@ -20,6 +22,7 @@ Work report_command(CLI::App& app) {
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] {
+    if (!process::is_run(options->source)) require_sound_file(options->source, options->overrides);
     options->program = version();
     return study::write_report(*options);
   };

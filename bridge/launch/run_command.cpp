@@ -24,7 +24,7 @@ Work run_command(CLI::App& app) {
   app.add_flag("--trace", options->trace, "record when each side computes and waits, for \"blockweir trace\"");
   app.add_flag("--quiet", options->quiet, "show no progress");
   return [options] {
-    require_sound_file(options->scene);
+    require_sound_file(options->scene, options->overrides);
     return run_and_report([&] { return process::run(*options); });
   };
 }

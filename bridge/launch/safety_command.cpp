@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "bridge/launch/commands.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 #include "bridge/study/safety.hpp"
 
 namespace blockweir::launch {
@@ -15,7 +16,10 @@ Work safety_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
   app.add_option("--variant", options->variant, "name of one of the scene's variants");
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
-  return [options] { return study::print_safety(*options); };
+  return [options] {
+    require_sound_file(options->scene, options->overrides);
+    return study::print_safety(*options);
+  };
 }
 
 }  // namespace blockweir::launch

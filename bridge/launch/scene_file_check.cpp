@@ -82,16 +82,24 @@ SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesys
   return found;
 }
 
-void require_sound_file(const std::filesystem::path& path) {
+void require_sound_file(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
   if (!may_hold_variants_or_studies(path)) return;
-  const auto read = [&]() -> std::optional<scene::ReadScene> {
-    try {
-      return scene::read(path);
-    } catch (const scene::SceneError&) {
-      return std::nullopt;
-    }
-  }();
-  if (read) check_but_benches(*read, path, {}).wrong.report();
+  const auto report_with = [&](const std::vector<std::string>& set) {
+    const auto read = [&]() -> std::optional<scene::ReadScene> {
+      try {
+        return scene::read(path, set);
+      } catch (const scene::SceneError&) {
+        return std::nullopt;
+      }
+    }();
+    if (read) check_but_benches(*read, path, set).wrong.report();
+  };
+  try {
+    report_with({});
+  } catch (const scene::SceneError&) {
+    if (overrides.empty()) throw;
+    report_with(overrides);
+  }
 }
 
 }  // namespace blockweir::launch

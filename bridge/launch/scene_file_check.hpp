@@ -17,9 +17,9 @@ struct SceneFileCheck {
 SceneFileCheck check_scene_file(const scene::ReadScene& read, const std::filesystem::path& path,
                                 const std::vector<std::string>& overrides);
 
-/// Throws scene::SceneError with all problems of them, as the file states them. A scene that only its overrides make
-/// sound is left to these. Benches are left to `check` and `bench`: where they are many they took longer than all else
-/// before a run.
-void require_sound_file(const std::filesystem::path& path);
+/// Throws scene::SceneError with all problems of them, as the file states them, unless the overrides remove all. A
+/// scene that only its overrides make sound is left to these. Benches are left to `check` and `bench`: where they are
+/// many they took longer than all else before a run.
+void require_sound_file(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
 
 }  // namespace blockweir::launch

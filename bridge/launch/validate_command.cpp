@@ -3,6 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/engine_options.hpp"
+#include "bridge/launch/scene_file_check.hpp"
 #include "bridge/validate/validate.hpp"
 
 namespace blockweir::launch {
@@ -14,7 +15,10 @@ Work validate_command(CLI::App& app) {
   app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
   app.add_flag("--sweep", options->sweep, "repeat each with penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
   add_engine_options(app, options->engine);
-  return [options] { return study::validate(*options); };
+  return [options] {
+    for (const auto& one : options->cases) require_sound_file(one, options->overrides);
+    return study::validate(*options);
+  };
 }
 
 }  // namespace blockweir::launch

@@ -91,10 +91,16 @@ TEST_F(FallenFromTheStart, AnErrorInALoadCaseOrStudyIsFoundBeforeTheRun) {
               "[[load_case]]\nname = \"b\"\nset = [\"water.upstream_level_m=9\"]\n"
               "[[study]]\nname = \"c\"\nkind = \"map\"\nx_key = \"joint.frction\"\nx_values = [1, 2]\n"
               "y_key = \"water.upstream_level_m\"\ny_values = [1, 2]\n");
-  EXPECT_EQ(shell(programs + "/blockweir run s.toml --out o"), 2);
-  EXPECT_THAT(text("out"), AllOf(HasSubstr("[[load_case]] \"a\" sets joint.friction_angle_deg=-3"),
-                                 HasSubstr("[[load_case]] \"b\" sets water.upstream_level_m=9"), HasSubstr("frction")));
-  EXPECT_FALSE(std::filesystem::exists(folder / "o"));
+  for (const std::string command :
+       {"run s.toml --out o", "level s.toml --out o", "safety s.toml --out o", "modes s.toml --out o",
+        "reliability s.toml --out o", "report s.toml --run o", "validate s.toml"}) {
+    EXPECT_EQ(shell(programs + "/blockweir " + command), 2) << command;
+    EXPECT_THAT(text("out"),
+                AllOf(HasSubstr("[[load_case]] \"a\" sets joint.friction_angle_deg=-3"),
+                      HasSubstr("[[load_case]] \"b\" sets water.upstream_level_m=9"), HasSubstr("frction")))
+        << command;
+    EXPECT_FALSE(std::filesystem::exists(folder / "o")) << command;
+  }
 }
 
 }  // namespace
