@@ -236,8 +236,10 @@ bool Supervised::all_fine() const {
 
 Supervised supervise(const std::vector<Command>& commands, const std::filesystem::path& log_folder, double grace_s,
                      const std::function<bool()>& tick, double longest_s) {
+  constexpr double longest_wait_s = 0.1;
   constexpr double apart_grace_s = 1;  // to end by themselves: not connected, they cannot notice another's end
   const auto begin = Clock::now();
+  auto looked = begin;
   const StopSignals signals;
   const Reaper reaper;
   const pid_t parent = ::getppid();
@@ -246,9 +248,9 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
 
   Supervised result;
   Clock::time_point trouble = Clock::time_point::max();
-  Clock::time_point worked = begin;  // one of them at least
-  int sent = 0;                      // 0 nothing, 1 SIGTERM, 2 SIGKILL
-  int heard = 0;                     // of the stop signals to us
+  double all_stopped_s = 0;  // while we were not: a suspended job stops us, too
+  int sent = 0;              // 0 nothing, 1 SIGTERM, 2 SIGKILL
+  int heard = 0;             // of the stop signals to us
   while (children.running()) {
     children.wait(signals, result);
     const bool in_touch = tick();
@@ -276,8 +278,9 @@ Supervised supervise(const std::vector<Command>& commands, const std::filesystem
       children.signal(SIGKILL);
     }
     if (trouble == Clock::time_point::max() && !result.ends.empty() && !result.all_fine()) trouble = now;
-    if (!children.all_stopped()) worked = now;
-    if (trouble == Clock::time_point::max() && now - worked > std::chrono::duration<double>(grace_s)) trouble = now;
+    all_stopped_s = children.all_stopped() ? all_stopped_s + std::min(seconds_since(looked), longest_wait_s) : 0;
+    looked = now;
+    if (trouble == Clock::time_point::max() && all_stopped_s > grace_s) trouble = now;
     if (trouble == Clock::time_point::max()) continue;
     children.wake();
     const double waited = seconds_since(trouble);

@@ -78,7 +78,9 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     ContactPoint& c = island.contacts[at(k)];
     before_.note(k, c);
     // What a lasting bond has been opened by it pulls at with its strength alone.
-    const bool stretched = settings_.swept && laws_[c.law].keeps_cohesion && c.gap > settings_.penetration_tolerance_m;
+    const double opened_m = c.gap - laws_[c.law].dilation_m(c.slip_m);
+    const bool stretched =
+        settings_.swept && laws_[c.law].keeps_cohesion && opened_m > settings_.penetration_tolerance_m;
     c.let_go = c.state == ContactState::open || stretched;
     Progress& progress = progress_.contact(k) = {};
     const EdgeFrame edge = edge_frame(trial, c);
