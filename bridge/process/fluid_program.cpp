@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bridge/process/fluid_program.hpp"
 
-#include <fmt/format.h>
-
 #include "bridge/process/program.hpp"
+#include "bridge/process/require_fluid.hpp"
 #include "bridge/scene/fluid_models.hpp"
 #include "bridge/scene/read/read.hpp"
 #include "bridge/schedule/hello.hpp"
@@ -46,19 +45,7 @@ int run(Options& options, const scene::FluidEntry& entry, const FluidMaker& make
   return 0;
 }
 
-std::string other_program(scene::FluidModel model) {
-  const char* const program = scene::fluid_entry(model).program;
-  return program != nullptr ? fmt::format(", or start {} in its place", program) : "";
-}
-
 }  // namespace
-
-void require_fluid(const scene::Scene& scene, scene::FluidModel model) {
-  if (scene.fluid == model) return;
-  throw std::invalid_argument(
-      fmt::format("[fluid] model: found \"{}\"; expected \"{}\", which is what this program computes; set it{}",
-                  scene::fluid_entry(scene.fluid).key, scene::fluid_entry(model).key, other_program(scene.fluid)));
-}
 
 int run_fluid_program(int argc, char** argv, scene::FluidModel model, const FluidMaker& make) {
   const scene::FluidEntry& entry = scene::fluid_entry(model);

@@ -9,7 +9,7 @@
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
-#include "bridge/process/fluid_program.hpp"
+#include "bridge/process/require_fluid.hpp"
 #include "bridge/results/peak_memory.hpp"
 #include "bridge/results/result_file.hpp"
 #include "bridge/results/saving.hpp"

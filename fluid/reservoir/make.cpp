@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "bridge/process/fluid_program.hpp"
+#include "bridge/process/require_fluid.hpp"
 #include "bridge/results/folder.hpp"
 #include "fluid/hydrostatic/reservoir_output.hpp"
 #include "fluid/reservoir/reservoir_model.hpp"

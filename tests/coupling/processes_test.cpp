@@ -187,6 +187,14 @@ TEST_F(Processes, EveryFluidTakesTheKeysThatTheSolidTakes) {
   EXPECT_EQ(end_of(fluid, 10), 0) << text("fluid");
 }
 
+/// ZeroMQ brings a dozen libraries: a third of the launcher's start, which each run waits for.
+TEST_F(Processes, ProgramsWithoutALineDoNotLoadZeroMq) {
+  for (const char* program : {"blockweir", "blockweir-limit"}) {
+    EXPECT_EQ(shell("ldd " + programs + "/" + program), 0) << text("out");
+    EXPECT_THAT(text("out"), testing::Not(testing::HasSubstr("libzmq"))) << program;
+  }
+}
+
 TEST_F(Processes, PlotDrawsEveryFigure) {
   // A name with what gnuplot might take for markup or for the end of a text.
   const std::string run = "a_run's ^2";
