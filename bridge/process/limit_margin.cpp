@@ -65,7 +65,8 @@ std::string doubt_of(const json& found, bool last_levels_acted) {
   if (!last_levels_acted) return doubt_of_last_levels(found);
   if (found.value("holds_nothing", false)) {
     return "it stands although by limit analysis nothing holds the structure as it is drawn: it has moved to where it "
-           "stands, and uplift acts only in joints whose faces touch as drawn; let faces touch";
+           "stands, or corners that only meet in a point hold it, and uplift acts only in joints whose faces touch as "
+           "drawn; let faces touch";
   }
   constexpr double of_strain = 1e-2;
   if (!found["factor"].is_number() || found["factor"] >= 1 - of_strain) return {};

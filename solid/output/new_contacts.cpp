@@ -8,14 +8,43 @@
 #include <numbers>
 #include <set>
 
+#include "bridge/geometry/outline.hpp"
 #include "bridge/results/counted.hpp"
 #include "bridge/scene/at.hpp"
+#include "bridge/scene/read/check.hpp"
+#include "bridge/scene/structure_size.hpp"
 
 namespace blockweir::solid::output {
 namespace {
 
 std::pair<int, int> pair_of(const ContactRow& c) {
   return std::minmax(c.vertex_block, c.edge_block);
+}
+
+/// Do the outlines meet as drawn, be it in a point?
+bool touch_as_drawn(const scene::Scene& scene, const std::pair<int, int>& pair) {
+  const double touching_m = scene::rounding_ratio * scene::structure_size_m(scene.blocks);
+  const auto reaches = [&](const scene::Block& a, const scene::Block& b) {
+    return std::any_of(a.vertices.begin(), a.vertices.end(), [&](const Point& vertex) {
+      for (std::size_t i = 0, n = b.vertices.size(); i < n; ++i) {
+        if (geometry::distance_to_segment(vertex, b.vertices[i], b.vertices[(i + 1) % n]) <= touching_m) return true;
+      }
+      return false;
+    });
+  };
+  const scene::Block& a = scene.blocks[at(pair.first)];
+  const scene::Block& b = scene.blocks[at(pair.second)];
+  return reaches(a, b) || reaches(b, a);
+}
+
+/// As corners of four blocks at a crossing of joints do, from the start.
+bool still_meet_in_a_point(const Solid& solid, const std::pair<int, int>& pair) {
+  constexpr double near = 1e-3;  // of the structure's size: next to no length
+  const auto has_length = [&](const ContactPoint& c) {
+    return c.pair() == pair && c.length > near * solid.model().size_m;
+  };
+  return std::none_of(solid.contacts().begin(), solid.contacts().end(), has_length) &&
+         touch_as_drawn(solid.scene(), pair);
 }
 
 /// A joint of one of the two blocks with residual friction of that angle, or of another; null where there is none.
@@ -52,6 +81,7 @@ std::string of_planes(const expect::Outcome& o, const std::set<std::pair<int, in
     const scene::Joint* joint = joint_with(scene, c.pair(), angle_deg, true);
     if (joint == nullptr || !joint->set.empty()) continue;  // of a cut, that is what it is for
     if (std::abs(angle_deg - scene.default_joint.residual_friction_angle_deg) < 1e-9) continue;
+    if (still_meet_in_a_point(o.solid, c.pair())) continue;
     if (met.insert(c.pair()).second && *met.begin() == c.pair()) plane = joint;
   }
   if (plane == nullptr) return {};
@@ -74,6 +104,7 @@ std::string new_contacts_warning(const expect::Outcome& o) {
     if (c.state == ContactState::open || c.law != default_law || known.contains(c.pair())) continue;
     if (other_joint(scene, c.pair()) != nullptr) met.insert(c.pair());
   }
+  std::erase_if(met, [&](const auto& pair) { return still_meet_in_a_point(o.solid, pair); });
   if (met.empty()) return of_planes(o, known);
   const scene::Joint& joint = *other_joint(scene, *met.begin());
   return fmt::format(

@@ -15,6 +15,7 @@
 #include "solid/output/level_doubt.hpp"
 #include "solid/output/rest_text.hpp"
 #include "solid/watch/joint_name.hpp"
+#include "solid/watch/oscillations.hpp"
 #include "solid/watch/surfaces.hpp"
 
 namespace blockweir::solid::output {
@@ -131,10 +132,10 @@ std::string transient_text(const expect::Outcome& o) {
   if (!lowest || !now || scene.base_motion || scene.analysis.kind == scene::AnalysisKind::at_rest) return {};
   const bool level_changed = std::abs(now->level_m - lowest->level_m) > same_level * 2 * o.solid.model().size_m;
   if (level_changed || now->value < (1 + seen) * lowest->value) return {};
-  return fmt::format(
-      "; under the same level it is {:.4g} at the end: the lowest is that of an oscillation, as after the start; with "
-      "kind = \"static\" there is none",
-      now->value);
+  const char* cause = anything_strains(o.solid)
+                          ? "that of an oscillation, as after the start; with kind = \"static\" there is none"
+                          : "that of a motion, or of other forces that hold the same rigid blocks";
+  return fmt::format("; under the same level it is {:.4g} at the end: the lowest is {}", now->value, cause);
 }
 
 json margin(const expect::Outcome& o) {

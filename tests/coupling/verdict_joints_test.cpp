@@ -33,6 +33,24 @@ TEST_F(Verdicts, BlocksThatMeetOnTheirWayAreSaidToHaveTheLawOfTheirPlane) {
   EXPECT_THAT(brief["warnings"].dump(), testing::Not(HasSubstr("did not at the start")));
 }
 
+/// Four blocks whose corners meet in a point. The upper two slide by 0.7 mm: two corners then bear.
+TEST_F(Verdicts, CornersThatMeetAsDrawnAreNotSaidToTouchOnlyNow) {
+  const auto block = [](const char* name, const char* more, const char* vertices) {
+    return fmt::format("[[block]]\nname = '{}'\nmaterial = 'c'\n{}\nvertices_m = {}\n", name, more, vertices);
+  };
+  constexpr const char* thrown = "initial_velocity_m_per_s = [0.1, 0]";
+  const std::string blocks =
+      block("ground", "fixed = true", "[[-3, -1], [5, -1], [5, 0], [-3, 0]]") +
+      block("a", "", "[[0, 0], [1, 0], [1, 1], [0, 1]]") + block("b", "", "[[1, 0], [2, 0], [2, 1], [1, 1]]") +
+      block("c", thrown, "[[0, 1], [1, 1], [1, 2], [0, 2]]") + block("d", thrown, "[[1, 1], [2, 1], [2, 2], [1, 2]]");
+  const auto summary =
+      run("[analysis]\nduration_s = 0.5\nstep_s = 0.01\nrigid = 'all'\n[material.c]\nyoungs_modulus_pa = 3e10\n"
+          "poissons_ratio = 0.2\ndensity_kg_per_m3 = 2400\n[joint]\nfriction_angle_deg = 35\n" +
+          blocks + "[[joints]]\nname = 'bed'\nbetween = ['a', 'c']\nfriction_angle_deg = 30\n");
+  EXPECT_THAT(summary["warnings"].dump(), testing::AllOf(HasSubstr("which only meet in a point, bear"),
+                                                         testing::Not(HasSubstr("did not at the start"))));
+}
+
 /// Limit analysis of many blocks takes longer than a short run.
 TEST_F(Verdicts, AFactorThatWouldTakeLongIsLeftToSafety) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases +
