@@ -128,7 +128,11 @@ picture::ReportParts parts_of(const fs::path& run, const std::string& program, c
     return asked.answer;
   });
   question.out = scratch.path() / "safety";
-  parts.safety = questions.result_or_trouble([&] { return safety_answers(question); });
+  parts.safety = questions.result_or_trouble([&] {
+    json cases = json::array();
+    safety_answers(question, cases);
+    return cases;
+  });
   parts.home = process::home_of_external(parts.scene, run).string();
   std::vector<const char*> commands{"run", "level", "safety", "report"};
   if (!parts.reliability.is_null()) commands.insert(commands.end() - 1, "reliability");

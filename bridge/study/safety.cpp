@@ -126,7 +126,7 @@ double deciding_factor(const json& answer) {
   return factor;
 }
 
-json safety_answers(const process::AskOptions& options, Pictures* pictures) {
+void safety_answers(const process::AskOptions& options, json& cases, Pictures* pictures) {
   const scene::ReadScene read = scene::read_variant(options.scene, options.variant, options.overrides);
   scene::CollectedErrors wrong;
   for (const scene::LoadCase& load_case : read.load_cases) {
@@ -135,7 +135,6 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
   wrong.report();
   process::make_answer_folder(options.out);
   const results::FolderLock until_the_last_case(options.out);
-  json cases = json::array();
   Pictures own;
   const auto answer = [&](const scene::LoadCase& load_case, const fs::path& out, bool quiet) {
     process::AskOptions one = options;
@@ -164,7 +163,6 @@ json safety_answers(const process::AskOptions& options, Pictures* pictures) {
     }
     answer(load_case, options.out / results::file_name(load_case.name), /*quiet=*/true);
   }
-  return cases;
 }
 
 int print_safety(const SafetyOptions& options) {
@@ -173,7 +171,14 @@ int print_safety(const SafetyOptions& options) {
   question.out = process::answer_folder("safety", options);
   const fs::path& folder = question.out;
   Pictures pictures;
-  const json cases = safety_answers(question, &pictures);
+  json cases = json::array();
+  try {
+    safety_answers(question, cases, &pictures);
+  } catch (const process::Stopped&) {
+    if (!cases.empty())
+      fmt::print("{}stopped before the next load case was answered\n", results::for_stdout(safety_text(cases)));
+    throw;
+  }
   // The answers are printed first: they took the time, and the disk may be full for files and pictures.
   fmt::print("{}", results::for_stdout(safety_text(cases)));
   const std::string all = json{{"load_cases", cases}}.dump(2) + "\n";

@@ -22,11 +22,12 @@ double deciding_factor(const nlohmann::json& answer);
 /// analysis, an upper bound, does not decide either.
 nlohmann::json satisfied(const nlohmann::json& answer, const std::optional<double>& required);
 
-/// The answers for the scene itself and each load case, a list as in safety.json, with one folder each in
-/// `options.out`, which must be set. `pictures`: null to draw mechanisms at once; otherwise the drawing functions are
-/// appended, so that a full disk does not lose answers. Throws as process::ask() does.
-nlohmann::json safety_answers(const process::AskOptions& options,
-                              std::vector<std::function<void()>>* pictures = nullptr);
+/// Appends the answers for the scene itself and each load case to the list `cases`, as in safety.json, with one folder
+/// each in `options.out`, which must be set. `pictures`: null to draw mechanisms at once; otherwise the drawing
+/// functions are appended, so that a full disk does not lose answers. Throws as process::ask() does; `cases` then has
+/// those that were answered.
+void safety_answers(const process::AskOptions& options, nlohmann::json& cases,
+                    std::vector<std::function<void()>>* pictures = nullptr);
 
 /// Prints the factor of the scene itself and of each load case, by equilibrium of the blocks and by limit analysis,
 /// with the joints that run through the structure, and draws the mechanisms. Returns 1 if a load case has no answer or
