@@ -3,6 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/scene_file_check.hpp"
+#include "bridge/launch/variant_option.hpp"
 #include "bridge/study/level.hpp"
 
 namespace blockweir::launch {
@@ -13,7 +14,7 @@ Work level_command(CLI::App& app) {
   app.add_option("--out", options->out, "folder for the answer and its picture (default: runs/CASE-level)");
   app.add_flag("--quiet", options->no_progress, "show no progress");
   app.add_option("--json", options->json, "also write the answer to this file, as JSON");
-  app.add_option("--variant", options->variant, "name of one of the scene's variants");
+  add_variant_option(app, options->variant);
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] {
     require_sound_file(options->scene, options->overrides);

@@ -3,6 +3,7 @@
 
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/scene_file_check.hpp"
+#include "bridge/launch/variant_option.hpp"
 #include "bridge/launch/version.hpp"
 #include "bridge/process/previous_run.hpp"
 #include "bridge/report/report.hpp"
@@ -19,7 +20,7 @@ Work report_command(CLI::App& app) {
   app.add_option("--run", options->run,
                  "folder for the run of a scene (default: that of \"blockweir run\"; with --out, where \"runs\" cannot "
                  "be written, a temporary one)");
-  app.add_option("--variant", options->variant, "name of one of the scene's variants");
+  add_variant_option(app, options->variant);
   app.add_option("--set", options->overrides, "set a key of the scene, as key=value");
   return [options] {
     if (!process::is_run(options->source)) require_sound_file(options->source, options->overrides);

@@ -4,6 +4,7 @@
 #include "bridge/launch/commands.hpp"
 #include "bridge/launch/run_and_report.hpp"
 #include "bridge/launch/scene_file_check.hpp"
+#include "bridge/launch/variant_option.hpp"
 
 namespace blockweir::launch {
 
@@ -16,7 +17,7 @@ Work run_command(CLI::App& app) {
       "--out", options->out,
       "folder for the results; no run of another scene in it is overwritten, nor one to resume (default: runs/CASE, or "
       "runs/CASE-2, -3, ... where that holds an earlier run)");
-  app.add_option("--variant", options->variant, "name of one of the scene's variants");
+  add_variant_option(app, options->variant);
   app.add_option("--set", options->overrides, "set a key of the scene, e.g. analysis.step_s=0.001");
   app.add_flag("--inproc", options->inproc,
                "compute still water or a reservoir in the solid's process; the results are the same");

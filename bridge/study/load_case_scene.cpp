@@ -25,6 +25,8 @@ std::optional<scene::Diagnostic> idle_load_case(const scene::LoadCase& load_case
     one->text.clear();
     one->digest.clear();
     one->warnings.clear();
+    one->variants.clear();  // which one of the two has, read as the whole file
+    one->studies = {};
   }
   if (!(without == with)) return std::nullopt;
   return scene::Diagnostic{scene::Diagnostic::Severity::warning,

@@ -26,6 +26,10 @@ TEST_F(Processes, NamesThatASceneDoesNotHaveAreAnsweredWithThoseThatItHas) {
   EXPECT_THAT(text("out"), HasSubstr("leave --variant out"));
   EXPECT_EQ(shell(blockweir + "run " + cases + "cracked-dam-upper --variant nope"), 2);
   EXPECT_THAT(text("out"), HasSubstr("name one of these, or leave --variant out"));
+  for (const char* command : {"run ", "level ", "safety ", "modes ", "report "}) {
+    EXPECT_EQ(shell(blockweir + command + cases + "cracked-dam-upper --variant ''"), 2) << command;
+    EXPECT_THAT(text("out"), HasSubstr("--variant: found no name; expected that of a [[variant]]")) << command;
+  }
   std::ofstream(folder / "s.toml")
       << text(cases + "monolith-slides/scene.toml")
       << "\n[[study]]\nname = 'friction'\nkind = 'map'\nx_key = "

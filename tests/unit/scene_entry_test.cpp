@@ -88,6 +88,30 @@ TEST_F(SceneEntries, AWarningOfWhatAVariantSetsIsToldAtItsLine) {
   EXPECT_EQ(read.warnings[0].line, 56);
 }
 
+TEST_F(SceneEntries, AVariantIsOneSceneWithoutVariantsAndStudies) {
+  const auto file = write("s.toml", sample::text +
+                                        "[[variant]]\nname = 'v'\nset = ['analysis.step_s=0.02']\n[[bench]]\nname = "
+                                        "'b'\nkey = 'analysis.step_s'\nvalues = [0.01, 0.02]\n");
+  EXPECT_THAT(read(file).scene.variants, testing::SizeIs(1));
+  const Scene scene = read_variant(file, "v").scene;
+  EXPECT_THAT(scene.variants, testing::IsEmpty());
+  EXPECT_THAT(scene.studies.benches, testing::IsEmpty());
+  EXPECT_THAT(scene.text, testing::Not(testing::AnyOf(testing::HasSubstr("variant"), testing::HasSubstr("bench"))));
+  EXPECT_EQ(read_text(scene.text, "v.toml").scene.analysis.step_s, 0.02);
+}
+
+TEST_F(SceneEntries, AVariantCannotSetVariantsAndStudies) {
+  for (const char* set : {"variant.0.name='w'", "bench.0.key='x'", "study.a.set=[]", "bench_motion.until_s=1"}) {
+    try {
+      read(with_variant(std::string("\"") + set + "\""));
+      ADD_FAILURE() << set;
+    } catch (const SceneError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("s.toml:58: error: set in [[variant]] \"v\" has \"" +
+                                                   std::string(set) + "\"; expected keys of the scene itself"));
+    }
+  }
+}
+
 TEST_F(SceneEntries, ErrorsOfSeveralReadingsAreGatheredEachOnce) {
   const auto file = with_variant("'nokey'");
   CollectedErrors wrong;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Settings of a load case, variant or study that contradict each other: of two for one key the last would count.
+// Settings of a load case, variant or study that contradict each other, of two for one key the last would count, or
+// that are of no effect.
 #include <fmt/format.h>
 
 #include <map>
 
 #include "bridge/scene/read/overrides.hpp"
+#include "bridge/scene/read/read.hpp"
 #include "bridge/scene/read/reading.hpp"
 
 namespace blockweir::scene {
@@ -13,6 +15,12 @@ void check_settings(TableReader& table, Reading& reading, const std::vector<std:
                     const std::vector<std::string>& own_keys) {
   std::map<std::string, std::string> first;
   for (const std::string& setting : set) {
+    const std::string key = setting_key(setting);
+    if (const std::string section = key.substr(0, key.find('.')); is_of_whole_file(section)) {
+      reading.problems.error(table.place("set"), fmt::format("set in {} has \"{}\"", table.name(), setting),
+                             "keys of the scene itself, not of its variants and studies",
+                             fmt::format("change [[{}]] where it is written", section));
+    }
     const auto [other, is_new] = first.emplace(plain_key(reading.file, setting_key(setting)), setting);
     if (is_new) continue;
     reading.problems.error(table.place("set"),

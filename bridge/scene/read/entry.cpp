@@ -37,7 +37,7 @@ ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entr
                      const std::vector<std::string>& all) {
   const std::string file = scene_file(path).string();
   try {
-    ReadScene result = scene::read(path, all);
+    ReadScene result = scene::read(path, all, Extent::one_scene);
     for (Diagnostic& warning : result.warnings) move_to(entry, file, warning);
     return result;
   } catch (const SceneError& error) {

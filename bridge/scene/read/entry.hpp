@@ -17,8 +17,9 @@ struct SettingEntry {
   std::vector<std::string> settings;  ///< "dotted.key=value" each, as for --set
 };
 
-/// Reads the scene with the overrides `all`: those of the entry, then those of the command line. Throws SceneError
-/// whose diagnostics name the entry, with its file and line where the entry is the cause. Warnings do the same.
+/// Reads the one scene that the file is with the overrides `all`: those of the entry, then those of the command line.
+/// Throws SceneError whose diagnostics name the entry, with its file and line where the entry is the cause. Warnings do
+/// the same.
 ReadScene read_entry(const std::filesystem::path& path, const SettingEntry& entry, const std::vector<std::string>& all);
 
 /// Those of `overrides` that set one of `keys` or a part of its value. Entries may be given by name or by index, and a

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -164,7 +165,13 @@ void refuse_warnings(const std::vector<Diagnostic>& warnings) {
   throw SceneError(std::move(errors));
 }
 
-ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+bool is_of_whole_file(std::string_view section) {
+  constexpr std::array sections{"variant", "limit", "order", "map", "bench", "bench_motion", "study"};
+  return std::find(sections.begin(), sections.end(), section) != sections.end();
+}
+
+ReadScene read_text(const std::string& text, const std::string& name, const std::vector<std::string>& overrides,
+                    Extent extent) {
   toml::table file = parse(text, name);
   Problems problems(name);
   ReadScene result;
@@ -174,6 +181,11 @@ ReadScene read_text(const std::string& text, const std::string& name, const std:
   if (!overrides.empty()) {
     apply_overrides(file, overrides, problems);
     leave_out_idle_uplift(file, problems);
+  }
+  if (extent == Extent::one_scene) {
+    for (auto section = file.begin(); section != file.end();) {
+      section = is_of_whole_file(section->first.str()) ? file.erase(section) : std::next(section);
+    }
   }
   const std::size_t before = problems.count();
   const auto folder = std::filesystem::path(name).parent_path();
@@ -201,9 +213,9 @@ std::filesystem::path scene_file(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, failed) ? path / "scene.toml" : path;
 }
 
-ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+ReadScene read(const std::filesystem::path& path, const std::vector<std::string>& overrides, Extent extent) {
   const std::filesystem::path file = scene_file(path);
-  return read_text(text_of(file), file.string(), overrides);
+  return read_text(text_of(file), file.string(), overrides, extent);
 }
 
 ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
