@@ -24,12 +24,16 @@ bool lasts(const JointProperties& law) {
 
 }  // namespace
 
-bool CentredForces::may_hold(const IslandEquations& s, const StepMode& mode) const {
+bool CentredForces::suits(const IslandEquations& s, const StepMode& mode) const {
   if (model_.base.moves_supports()) return false;  // what rests on the ground goes with it
   const bool many = s.unknowns->total > few_unknowns && s.unknowns->total == 3 * s.unknowns->blocks();
   return many && !mode.settles && !mode.friction_lags && !step_.substitute &&
          formulation_->force_constraints() == nullptr && formulation_->holds_exactly() && !s.moves_as_one() &&
-         s.island.supports.empty() && s.bolts.empty() && moves_little(step_, s);
+         s.island.supports.empty() && s.bolts.empty();
+}
+
+bool CentredForces::may_hold(const IslandEquations& s, const StepMode& mode) const {
+  return suits(s, mode) && moves_little(step_, s);
 }
 
 Held CentredForces::hold(IslandEquations& s) {

@@ -21,7 +21,10 @@ class CentredForces : StepPart {
  public:
   explicit CentredForces(StepWorkspace& step) : StepPart(step) {}
 
-  /// May the island rest by such forces? Not in steps that settle, and not where forces are not those of hard contacts.
+  /// Is it an island of many rigid blocks that such forces could hold? Not in steps that settle, and not where forces
+  /// are not those of hard contacts.
+  [[nodiscard]] bool suits(const IslandEquations& island, const StepMode& mode) const;
+  /// And so slow that it may rest?
   [[nodiscard]] bool may_hold(const IslandEquations& island, const StepMode& mode) const;
 
   /// Do such forces hold the island where the step began? They act then. Otherwise the trial and its contacts are left
