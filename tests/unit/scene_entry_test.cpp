@@ -106,9 +106,22 @@ TEST_F(SceneEntries, AVariantCannotSetVariantsAndStudies) {
       read(with_variant(std::string("\"") + set + "\""));
       ADD_FAILURE() << set;
     } catch (const SceneError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("s.toml:58: error: set in [[variant]] \"v\" has \"" +
-                                                   std::string(set) + "\"; expected keys of the scene itself"));
+      EXPECT_THAT(error.what(), testing::HasSubstr("s.toml:58: error: [[variant]] \"v\" sets \"" + std::string(set) +
+                                                   "\"; expected keys of the scene itself"));
     }
+  }
+}
+
+TEST_F(SceneEntries, AStudyCannotVaryVariantsAndStudies) {
+  const auto file =
+      write("s.toml", sample::text + "[[bench]]\nname = 'b'\nkey = 'variant.0.name'\nvalues = ['u', 'w']\n");
+  try {
+    read(file);
+    ADD_FAILURE();
+  } catch (const SceneError& error) {
+    EXPECT_THAT(error.what(),
+                testing::HasSubstr("s.toml:57: error: [[bench]] \"b\" varies \"variant.0.name\"; expected "
+                                   "keys of the scene itself, not of its variants and studies"));
   }
 }
 

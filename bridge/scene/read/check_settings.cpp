@@ -14,13 +14,16 @@ namespace blockweir::scene {
 void check_settings(TableReader& table, Reading& reading, const std::vector<std::string>& set,
                     const std::vector<std::string>& own_keys) {
   std::map<std::string, std::string> first;
-  for (const std::string& setting : set) {
+  const auto require_of_scene = [&](const char* place, const char* how, const std::string& setting) {
     const std::string key = setting_key(setting);
-    if (const std::string section = key.substr(0, key.find('.')); is_of_whole_file(section)) {
-      reading.problems.error(table.place("set"), fmt::format("set in {} has \"{}\"", table.name(), setting),
-                             "keys of the scene itself, not of its variants and studies",
-                             fmt::format("change [[{}]] where it is written", section));
-    }
+    const std::string section = key.substr(0, key.find('.'));
+    if (!is_of_whole_file(section)) return;
+    reading.problems.error(table.place(place), fmt::format("{} {} \"{}\"", table.name(), how, setting),
+                           "keys of the scene itself, not of its variants and studies",
+                           fmt::format("change [[{}]] where it is written", section));
+  };
+  for (const std::string& setting : set) {
+    require_of_scene("set", "sets", setting);
     const auto [other, is_new] = first.emplace(plain_key(reading.file, setting_key(setting)), setting);
     if (is_new) continue;
     reading.problems.error(table.place("set"),
@@ -29,6 +32,7 @@ void check_settings(TableReader& table, Reading& reading, const std::vector<std:
   }
   for (const std::string& key : own_keys) {
     if (key.empty()) continue;
+    require_of_scene("name", "varies", key);
     const auto [other, is_new] = first.emplace(plain_key(reading.file, key), key);
     if (is_new) continue;
     reading.problems.error(
