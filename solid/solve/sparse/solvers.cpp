@@ -2,6 +2,7 @@
 // The table by which programs call this library.
 #include <Eigen/UmfPackSupport>
 
+#include "solid/solve/sparse/keep_freed_memory.hpp"
 #include "solid/solve/sparse/systems.hpp"
 #include "solid/solve/sparse_solvers.hpp"
 
@@ -9,6 +10,7 @@ namespace blockweir::solid {
 namespace {
 
 bool solve_once(const Eigen::SparseMatrix<double>& K, const Eigen::VectorXd& f, Eigen::VectorXd& x) {
+  keep_freed_memory();
   const Eigen::UmfPackLU<Eigen::SparseMatrix<double>> lu(K);
   if (lu.info() != Eigen::Success) return false;
   x = lu.solve(f);

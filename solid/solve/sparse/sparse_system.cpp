@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Large islands: block-sparse matrix with a pattern fixed by the contact graph.
-#include <malloc.h>
-
 #include <algorithm>
 
 #include "bridge/scene/at.hpp"
+#include "solid/solve/sparse/keep_freed_memory.hpp"
 #include "solid/solve/sparse/sparse_matrix.hpp"
 #include "solid/solve/sparse/systems.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-/// Factorizations allocate the same memory again and again. If it were returned to the system in between, its pages
-/// would have to be cleared each time: a fifth of the time of a dam of 1,009 bricks.
-void keep_freed_memory() {
-  constexpr int largest = 32 << 20;  // that mallopt takes as a threshold
-  mallopt(M_MMAP_THRESHOLD, largest);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
-}
 
 class SparseSystem final : public LinearSystem {
  public:
