@@ -47,7 +47,7 @@ Failure FailureWatch::describe(std::size_t b) const {
   }
   const MovedSince moved(solid_, displacement, times);
   const PairMotions pairs = pair_motions(moved);
-  const MovingBody body = moving_body(moved, pairs, stands_, static_cast<int>(b));
+  const MovingBody body = moving_body(moved, pairs, stands_, guided_, static_cast<int>(b));
   const Mode mode = mode_of(moved, body, pairs);
   const Watched& last = watched_[b];
   const bool in_time = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest;

@@ -87,14 +87,14 @@ PairMotions pair_motions(const MovedSince& moved) {
   return pairs;
 }
 
-MovingBody moving_body(const MovedSince& moved, const PairMotions& pairs, const std::vector<bool>& stands, int block) {
+MovingBody moving_body(const MovedSince& moved, const PairMotions& pairs, const std::vector<bool>& stands,
+                       const std::vector<bool>& led, int block) {
   constexpr double apart = 0.1;
   const auto& blocks = moved.solid().blocks();
   const double travel = moved.farthest(block);
-  const auto together = [&](int, int to, const PairMotion& p) {
-    return !blocks[at(to)].fixed && p.relative < apart * p.moved;
-  };
-  const auto stays = [&](int b) { return blocks[at(b)].fixed || stands[at(b)] || moved.farthest(b) < travel / 2; };
+  const auto base = [&](int b) { return blocks[at(b)].fixed || led[at(b)]; };
+  const auto together = [&](int, int to, const PairMotion& p) { return !base(to) && p.relative < apart * p.moved; };
+  const auto stays = [&](int b) { return base(b) || stands[at(b)] || moved.farthest(b) < travel / 2; };
   const auto left_behind = [&](const std::set<int>& body) {
     std::vector<std::pair<int, int>> left;
     std::vector<std::pair<int, int>> opposite;  // goes the other way, and so carries nothing along

@@ -55,8 +55,9 @@ struct MovingBody {
 };
 
 /// The body that contains `block`: blocks whose common contacts separate by less than a tenth of their motion. If all
-/// neighbours move, too, they belong to the body, until something is left behind: fixed blocks, blocks at rest, and
-/// those that moved less than half as far. Nothing is left behind in free fall.
-MovingBody moving_body(const MovedSince& moved, const PairMotions& pairs, const std::vector<bool>& stands, int block);
+/// neighbours move, too, they belong to the body, until something is left behind: fixed blocks, those that supports
+/// lead (`led`), blocks at rest, and those that moved less than half as far. Nothing is left behind in free fall.
+MovingBody moving_body(const MovedSince& moved, const PairMotions& pairs, const std::vector<bool>& stands,
+                       const std::vector<bool>& led, int block);
 
 }  // namespace blockweir::solid

@@ -37,7 +37,8 @@ std::optional<Failure> slipped_body(const Solid& solid, double level_m) {
   const bool second =
       solid.blocks()[at(a)].fixed || (!solid.blocks()[at(b)].fixed && moved.farthest(b) > moved.farthest(a));
   const int block = second ? b : a;
-  const MovingBody body = moving_body(moved, pairs, std::vector<bool>(drawn.size(), false), block);
+  const std::vector<bool> none(drawn.size(), false);
+  const MovingBody body = moving_body(moved, pairs, none, none, block);
   const Mode mode = mode_of(moved, body, pairs);
   const FailedJoint joint = failed_joint(solid, body, pairs, mode.turns, /*from_downstream=*/false);
   Failure failure{.blocks = body.blocks,

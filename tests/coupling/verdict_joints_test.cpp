@@ -51,6 +51,33 @@ TEST_F(Verdicts, CornersThatMeetAsDrawnAreNotSaidToTouchOnlyNow) {
                                                          testing::Not(HasSubstr("did not at the start"))));
 }
 
+/// Two supports lead the springing block of an arch away. It goes as they do: what fails is the arch above it.
+TEST_F(Verdicts, ABlockThatSupportsLeadDoesNotFailWithWhatItCarried) {
+  const auto block = [](const char* name, const char* more, double left, double right, double low, double high) {
+    return fmt::format(
+        "[[block]]\nname = '{}'\nmaterial = 'm'\n{}\nvertices_m = [[{}, {}], [{}, {}], [{}, {}], [{}, {}]]\n", name,
+        more, left, low, right, low, right, high, left, high);
+  };
+  const auto support = [](double x) {
+    return fmt::format(
+        "[[support]]\nblock = 'right'\npoint_m = [{}, -0.6]\ndisplacement_y_m = 0\n"
+        "displacement_x_m = {{ table = [[0, 0], [0.4, 0], [0.8, 0.6]] }}\n",
+        x);
+  };
+  for (const char* step : {"0.0007", "0.0015", "0.003"}) {
+    const auto summary =
+        run(fmt::format("[analysis]\nduration_s = 1.5\nstep_s = {}\nrigid = 'all'\n", step) +
+            "[material.m]\nyoungs_modulus_pa = 1e10\npoissons_ratio = 0.2\ndensity_kg_per_m3 = 2200\n[joint]\n"
+            "friction_angle_deg = 38\n[[arch]]\nname = 'a'\nmaterial = 'm'\nmean_radius_m = 1.3\nthickness_m = 0.2\n"
+            "voussoirs = 10\nspringings = false\n" +
+            block("left", "fixed = true", -1.6, -1.2, -0.6, 0) + block("floor", "fixed = true", -5, 6, -1, -0.6) +
+            block("right", "", 1.2, 1.6, -0.6, 0) + support(1.2) + support(1.6));
+    EXPECT_EQ(summary["outcome"], "fails") << step;
+    EXPECT_THAT(summary["failure"]["blocks"].dump(), testing::Not(HasSubstr("right"))) << step;
+    EXPECT_NE(summary["failure"]["joint"], "right on floor") << step;
+  }
+}
+
 /// Limit analysis of many blocks takes longer than a short run.
 TEST_F(Verdicts, AFactorThatWouldTakeLongIsLeftToSafety) {
   EXPECT_EQ(shell(programs + "/blockweir run " + cases +
