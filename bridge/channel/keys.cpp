@@ -37,6 +37,18 @@ void write_new(const fs::path& path, const KeyText& key, mode_t mode) {
   }
 }
 
+void make_side(const fs::path& side) {
+  std::error_code failed;
+  fs::create_directories(side, failed);
+  if (!failed) fs::permissions(side, fs::perms::owner_all, failed);
+  if (failed) {
+    throw std::invalid_argument(
+        fmt::format("cannot make the folder {}: {}; expected a folder that can be written; "
+                    "choose another",
+                    side.string(), failed.message()));
+  }
+}
+
 std::string read_key(const fs::path& path) {
   std::ifstream stream(path);
   if (!stream) refuse(path, "no such file; expected one side's folder as \"blockweir keys\" makes it");
@@ -52,6 +64,7 @@ std::string read_key(const fs::path& path) {
 }  // namespace
 
 void make_keys(const fs::path& folder) {
+  if (folder.empty()) throw std::invalid_argument("FOLDER: found no name; expected that of a new folder for the keys");
   const std::array<fs::path, 2> sides = {folder / "solid", folder / "fluid"};
   for (const fs::path& side : sides) {
     if (fs::exists(side)) {
@@ -66,11 +79,16 @@ void make_keys(const fs::path& folder) {
       throw std::runtime_error("--keys: this libzmq has no CURVE encryption; install one that is built with libsodium");
     }
   }
-  for (std::size_t s = 0; s < 2; ++s) {
-    fs::create_directories(sides[s]);
-    fs::permissions(sides[s], fs::perms::owner_all);
-    write_new(sides[s] / secret_file, secret[s], 0600);
-    write_new(sides[s] / partner_file, open[1 - s], 0644);
+  try {
+    for (std::size_t s = 0; s < 2; ++s) {
+      make_side(sides[s]);
+      write_new(sides[s] / secret_file, secret[s], 0600);
+      write_new(sides[s] / partner_file, open[1 - s], 0644);
+    }
+  } catch (...) {  // nothing half-made stays in the way of another try
+    std::error_code kept;
+    for (const fs::path& side : sides) fs::remove_all(side, kept);
+    throw;
   }
 }
 

@@ -38,6 +38,18 @@ TEST_F(Processes, NamesThatASceneDoesNotHaveAreAnsweredWithThoseThatItHas) {
   EXPECT_THAT(text("out"), HasSubstr("no study \"x\"; expected one of friction; name one of these"));
 }
 
+TEST_F(Processes, KeysThatCannotBeWrittenLeaveNothing) {
+  const std::string keys = programs + "/blockweir keys ";
+  std::ofstream(folder / "afile") << "mine\n";
+  EXPECT_EQ(shell(keys + "''"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("FOLDER: found no name"));
+  EXPECT_EQ(shell(keys + "afile"), 2);
+  EXPECT_THAT(text("out"), HasSubstr("cannot make the folder afile/solid: "));
+  EXPECT_EQ(shell(on_a_full_disk(0, keys + "k")), 2);
+  EXPECT_FALSE(fs::exists(folder / "solid") || fs::exists(folder / "k/solid"));
+  EXPECT_EQ(shell(keys + "k"), 0) << text("out");
+}
+
 /// A slip of the hand must not cost a scene.
 TEST_F(Processes, AFileThatIsNoneOfItsKindIsNotWritten) {
   std::ofstream(folder / "w.toml") << "title = 'mine'\n";
