@@ -176,7 +176,8 @@ int print_safety(const SafetyOptions& options) {
     safety_answers(question, cases, &pictures);
   } catch (const process::Stopped&) {
     if (!cases.empty())
-      fmt::print("{}stopped before the next load case was answered\n", results::for_stdout(safety_text(cases)));
+      fmt::print("{}stopped before the next load case was answered\n",
+                 results::for_stdout(safety_text(cases, "all of these")));
     throw;
   }
   // The answers are printed first: they took the time, and the disk may be full for files and pictures.

@@ -102,7 +102,7 @@ std::vector<std::string> lines_of(const json& c, const json& first) {
 }
 
 /// What is told of the cases, once for all that it holds for.
-std::string told_of(const json& cases) {
+std::string told_of(const json& cases, const char* of_all) {
   std::vector<std::pair<std::string, std::vector<std::string>>> told;  // a line, and the names of cases
   for (const json& c : cases) {
     for (const std::string& line : lines_of(c, cases[0])) {
@@ -115,12 +115,12 @@ std::string told_of(const json& cases) {
   for (const auto& [line, names] : told) {
     const bool all = names.size() == cases.size() && names.size() > 1;
     const std::string some = names.size() == 1 ? names.front() : fmt::format("\"{}\"", fmt::join(names, "\", \""));
-    text += fmt::format("{}: {}\n", all ? "all load cases" : some, line);
+    text += fmt::format("{}: {}\n", all ? of_all : some, line);
   }
   return text;
 }
 
-std::string factors_text(const json& cases) {
+std::string factors_text(const json& cases, const char* of_all) {
   constexpr const char* row = "{:<22} {:<7.7} {:<9} {:>7} {:>7} {:>7} {:>8} {:>6}\n";
   std::string text = fmt::format(fmt::runtime(row), "LOAD CASE", "class", "outcome", "level m", "factor", "limit",
                                  "required", "enough");
@@ -133,7 +133,7 @@ std::string factors_text(const json& cases) {
                         : enough.get<bool>() ? "yes"
                                              : "NO");
   }
-  return text + told_of(cases) +
+  return text + told_of(cases, of_all) +
          "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
          "limit:  the same by limit analysis, an upper bound\n";
 }
@@ -257,8 +257,8 @@ std::string joints_text(const json& answer) {
 
 }  // namespace
 
-std::string safety_text(const json& cases) {
-  std::string text = factors_text(cases);
+std::string safety_text(const json& cases, const char* of_all) {
+  std::string text = factors_text(cases, of_all);
   std::string joints;
   for (const json& c : cases) {
     const bool as_written = &c != &cases[0] && c["set"].empty();  // whose table is the first

@@ -34,9 +34,13 @@ const std::map<Subject, std::string> subject_names = {
     {Subject::none, ""},       {Subject::block, "top"}, {Subject::block_if_any, ""}, {Subject::block_only, "top"},
     {Subject::joint, "crack"}, {Subject::bolt, "bar"},  {Subject::arch, "ring"}};
 
+std::string word_of(const std::string& quantity) {
+  return quantity == "invariants" ? "hold" : quantity == "stability" ? "stable" : "stands";
+}
+
 std::string entry(const QuantityEntry& answer, const std::string& subject) {
   return fmt::format("quantity = \"{}\"\n{}of = \"{}\"\n{}", answer.name,
-                     answer.word ? "word = \"stands\"\n" : "value = 1\n", subject,
+                     answer.word ? "word = \"" + word_of(answer.name) + "\"\n" : "value = 1\n", subject,
                      answer.at_point ? "at_m = [0, 4]\n" : "");
 }
 
@@ -51,6 +55,17 @@ bool suits(Subject subject, const std::string& name) {
       return name.empty();
     default:
       return name == subject_names.at(subject);
+  }
+}
+
+TEST(SceneAnswers, AWordIsOneThatItsQuantityMayBe) {
+  for (const auto& [quantity, meant] :
+       {std::pair{"mode", "sliding"}, {"stability", "stable"}, {"invariants", "hold"}}) {
+    const std::string wrong = std::string(meant) + "s";
+    EXPECT_THAT(
+        errors(expecting(fmt::format("quantity = '{}'\nword = '{}'\n", quantity, wrong))),
+        Contains(AllOf(HasSubstr(fmt::format("is \"{}\", which {} never is; expected one of ", wrong, quantity)),
+                       HasSubstr(fmt::format("did you mean \"{}\"?", meant)))));
   }
 }
 

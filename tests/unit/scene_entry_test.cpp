@@ -112,6 +112,13 @@ TEST_F(SceneEntries, AVariantCannotSetVariantsAndStudies) {
   }
 }
 
+TEST_F(SceneEntries, TheCommandLineCannotSetVariantsOfAVariant) {
+  const auto file = with_variant("'analysis.step_s=0.02'");
+  EXPECT_THAT(error_of_variant(file, {"variant.v.set=[]"}),
+              testing::HasSubstr("--set variant.v.set=[]: error: this changes the file's variants and studies"));
+  EXPECT_NO_THROW(read(file, {"variant.v.set=[\"analysis.step_s=0.03\"]"}));
+}
+
 TEST_F(SceneEntries, AStudyCannotVaryVariantsAndStudies) {
   const auto file =
       write("s.toml", sample::text + "[[bench]]\nname = 'b'\nkey = 'variant.0.name'\nvalues = ['u', 'w']\n");

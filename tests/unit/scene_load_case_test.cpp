@@ -33,6 +33,9 @@ TEST_F(LoadCases, ARequiredFactorNeedsItsSource) {
               testing::AllOf(HasSubstr("s.toml:59: error: "), HasSubstr("has a required_factor and no source")));
   EXPECT_THAT(error(with("[[load_case]]\nname = 'flood'\nset = ['title=x']\nsource = 'guideline'\n")),
               HasSubstr("has a source and no required_factor"));
+  EXPECT_THAT(error(with("[[load_case]]\nname = 'x'\nset = []\nrequired_factor = '1.5'\nsource = 'rule'\n")),
+              testing::Not(HasSubstr("has a source and no required_factor")))
+      << "one slip, one error";
 }
 
 TEST_F(LoadCases, TheSceneAsWrittenIsALoadCaseWithAnEmptySet) {

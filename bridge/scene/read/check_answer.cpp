@@ -62,6 +62,13 @@ const char* missing(const Scene& scene, Need need) {
   return nullptr;
 }
 
+/// The answers of a quantity that is a word.
+std::vector<std::string> answers_of(const std::string& quantity) {
+  if (quantity == "invariants") return {"hold", "energy made", "in each other"};
+  if (quantity == "stability") return {"stable", "grows"};
+  return {"stands", "moving", "sliding", "overturning", "sliding and overturning", "lifting", "falling"};
+}
+
 /// One of quantity and formula, `kind`, against what the table states.
 void check_one(TableReader& table, const Reading& reading, const Expectation& e, const char* kind,
                const QuantityEntry& answer) {
@@ -134,6 +141,12 @@ void check_answer(TableReader& table, const Reading& reading, const Expectation&
                        is_word ? "word" : "number"),
            is_word ? "word, or a formula for one" : "value, or a formula for a number", "change one of the two");
   }
+  if (!is_word || e.word.empty()) return;
+  const std::vector<std::string> answers = answers_of(quantity->name);
+  if (std::find(answers.begin(), answers.end(), e.word) != answers.end()) return;
+  reading.problems.error(table.place("word"),
+                         fmt::format("word in {} is \"{}\", which {} never is", table.name(), e.word, quantity->name),
+                         one_of(answers), did_you_mean(e.word, answers));
 }
 
 }  // namespace blockweir::scene

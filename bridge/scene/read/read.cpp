@@ -156,6 +156,17 @@ void read_sections(Reading& reading, ReadScene& result) {
   throw SceneError(std::move(all));
 }
 
+/// Of a variant, which has no variants and studies.
+void require_of_one_scene(const std::vector<std::string>& overrides) {
+  for (const std::string& one : overrides) {
+    const std::string key = setting_key(one);
+    const std::string section = key.substr(0, key.find('.'));
+    if (!is_of_whole_file(section)) continue;
+    refuse(override_place(one), 0, "this changes the file's variants and studies, and a variant is run",
+           "keys of the scene itself", fmt::format("change [[{}]] where it is written", section));
+  }
+}
+
 }  // namespace
 
 void refuse_warnings(const std::vector<Diagnostic>& warnings) {
@@ -221,6 +232,7 @@ ReadScene read(const std::filesystem::path& path, const std::vector<std::string>
 ReadScene read_variant(const std::filesystem::path& path, const std::string& name,
                        const std::vector<std::string>& overrides) {
   if (name.empty()) return read(path, overrides);
+  require_of_one_scene(overrides);
   const Scene scene = read(path).scene;
   std::vector<std::string> names;
   for (const Variant& variant : scene.variants) {

@@ -24,7 +24,7 @@ std::vector<LoadCase> read_load_cases(Reading& reading) {
                              fmt::format("{} has a required_factor and no source", table.name()),
                              "the rule or guideline that asks for the factor", "add source = \"...\"");
     }
-    if (!load_case.required_factor && !load_case.source.empty()) {
+    if (!table.has("required_factor") && !load_case.source.empty()) {
       reading.problems.error(table.place("source"), fmt::format("{} has a source and no required_factor", table.name()),
                              "both or none", "add required_factor = ..., or leave source out");
     }
