@@ -7,8 +7,8 @@
 
 namespace blockweir::study {
 
-/// The table of load cases, remarks on each, and their joints. `cases`: a list as in safety.json; `of_all`: how a remark
-/// on all of them begins.
+/// The table of load cases, remarks on each, and their joints. `cases`: a list as in safety.json; `of_all`: how a
+/// remark on all of them begins.
 [[nodiscard]] std::string safety_text(const nlohmann::json& cases, const char* of_all = "all load cases");
 
 }  // namespace blockweir::study

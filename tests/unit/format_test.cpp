@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sources are as clang-format 14 writes them by the settings of the repository.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace blockweir::format_test {
+namespace {
+
+constexpr const char* folders = "bridge solid fluid tests";
+
+TEST(Format, SourcesAreAsClangFormatWritesThem) {
+  if (std::system("clang-format --version 2>&1 | grep -q 'version 14'") != 0) {  // others write some lines otherwise
+    GTEST_SKIP() << "no clang-format 14 here";
+  }
+  const std::string check = std::string("cd '" BLOCKWEIR_SOURCE "' && find ") + folders +
+                            " -name '*.[ch]pp' -print0 | xargs -0 -n 100 -P 2 clang-format --dry-run -Werror";
+  EXPECT_EQ(std::system(check.c_str()), 0) << "clang-format -i puts the files named above right";
+}
+
+}  // namespace
+}  // namespace blockweir::format_test
