@@ -38,12 +38,19 @@ void set_threads(std::size_t count) {
   limit() = limit_to(count);
 }
 
-void share(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
+void share(std::size_t count, std::size_t piece, void (*work)(const void* context, std::size_t first, std::size_t end),
            const void* context) {
-  constexpr std::size_t piece = 500;  // indices that are worth a thread's attention
   if (threads() == 1) return work(context, 0, count);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, piece),
                     [&](const auto& range) { work(context, range.begin(), range.end()); });
+}
+
+void share_by_place(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
+                    const void* context) {
+  if (threads() == 1) return work(context, 0, count);
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) { work(context, range.begin(), range.end()); },
+      tbb::static_partitioner());
 }
 
 }  // namespace blockweir::solid

@@ -17,19 +17,33 @@ constexpr std::size_t many = 4000;
 [[nodiscard]] std::size_t threads();
 void set_threads(std::size_t count);
 
-/// Calls work(context, first, end) for pieces of [0, count). TBB's threads steal pieces: the caller does what no other
-/// thread has started, so that a busy core costs no time.
-void share(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
+/// Calls work(context, first, end) for pieces of [0, count), of `piece` indices or more. TBB's threads steal pieces:
+/// the caller does what no other thread has started, so that a busy core costs no time.
+void share(std::size_t count, std::size_t piece, void (*work)(const void* context, std::size_t first, std::size_t end),
            const void* context);
+/// The same of a few long pieces, each by the same thread in every call where cores are free: what it has written is in
+/// that core's cache.
+void share_by_place(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
+                    const void* context);
 
-/// Calls range(first, end) for pieces of [0, count), or once for all if the range is short.
+/// Calls range(first, end) for pieces of [0, count), or once for all if there are fewer than `enough`.
 template <class Range>
-void in_pieces(std::size_t count, const Range& range) {
-  if (count < many) return range(std::size_t{0}, count);
+void in_pieces(std::size_t count, const Range& range, std::size_t enough = many) {
+  constexpr std::size_t pieces = 8;
+  if (count < enough) return range(std::size_t{0}, count);
   const auto call = [](const void* of, std::size_t first, std::size_t end) {
     (*static_cast<const Range*>(of))(first, end);
   };
-  share(count, call, &range);
+  share(count, enough / pieces, call, &range);
+}
+
+/// Calls work(i) for each i of [0, count), which are few and take long; work must not throw.
+template <class Work>
+void share_by_place(std::size_t count, const Work& work) {
+  const auto call = [](const void* of, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) (*static_cast<const Work*>(of))(i);
+  };
+  share_by_place(count, call, &work);
 }
 
 /// Calls work(i) for each i of [0, count); work must not throw.
@@ -38,6 +52,15 @@ void for_each(std::size_t count, const Work& work) {
   in_pieces(count, [&work](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) work(i);
   });
+}
+
+/// The same for batches of four, which take as long as four.
+template <class Work>
+void for_each_batch(std::size_t count, const Work& work) {
+  const auto range = [&work](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) work(i);
+  };
+  in_pieces(count, range, many / 4);
 }
 
 /// Largest value(i), at least 0; not finite if one of them is not. Each is evaluated once.

@@ -23,6 +23,11 @@ void ForceSweeps::begin(const Eigen::VectorXd& displacement, std::size_t rows, b
   displacement_.head(displacement.size()) = displacement;
 }
 
+void ForceSweeps::add_room(bool second, Eigen::Index first, Eigen::Index count) {
+  rows_.back().ends[second ? 1 : 0] = {entries_.size(), static_cast<int>(first), static_cast<int>(count)};
+  entries_.resize(entries_.size() + at(4 * count));
+}
+
 void ForceSweeps::begin_sweeps() {
   if (rows_are_new_) batches_.choose(rows_, entries_, displacement().size());
   rows_are_new_ = false;

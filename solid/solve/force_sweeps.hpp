@@ -26,6 +26,11 @@ class ForceSweeps {
   template <class Motions, class Responses>
   void add_end(bool second, Eigen::Index first, const Eigen::MatrixBase<Motions>& motions,
                const Eigen::MatrixBase<Responses>& responses);
+  /// The same in two parts: room for an end of the last row, and what is in it, of several rows at once.
+  void add_room(bool second, Eigen::Index first, Eigen::Index count);
+  template <class Motions, class Responses>
+  void set_end(Row& row, bool second, const Eigen::MatrixBase<Motions>& motions,
+               const Eigen::MatrixBase<Responses>& responses);
   /// Rows are all there, with their rules: displacements by the forces that they have.
   void apply_forces();
   /// The same rows sweep other displacements, with rules that may be others.
@@ -84,9 +89,13 @@ class ForceSweeps {
 template <class Motions, class Responses>
 void ForceSweeps::add_end(bool second, Eigen::Index first, const Eigen::MatrixBase<Motions>& motions,
                           const Eigen::MatrixBase<Responses>& responses) {
-  Row& row = rows_.back();
-  row.ends[second ? 1 : 0] = {entries_.size(), static_cast<int>(first), static_cast<int>(motions.cols())};
-  entries_.resize(entries_.size() + at(4 * motions.cols()));
+  add_room(second, first, motions.cols());
+  set_end(rows_.back(), second, motions, responses);
+}
+
+template <class Motions, class Responses>
+void ForceSweeps::set_end(Row& row, bool second, const Eigen::MatrixBase<Motions>& motions,
+                          const Eigen::MatrixBase<Responses>& responses) {
   double* to = entries_.data() + row.ends[second ? 1 : 0].first_entry;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     for (Eigen::Index i = 0; i < motions.cols(); ++i) *to++ = motions(axis, i);

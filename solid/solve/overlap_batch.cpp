@@ -33,7 +33,7 @@ namespace {
   for (const std::size_t e : {0, 1}) {
     OverlapBatch::End& end = b.ends[e];
     for (int i = 0; i < 3; ++i) {
-      const Four to = moved[e][at(i)] + more * end.opens[at(i)] * end.per_mass[i < 2 ? 0 : 1];
+      const Four to = moved[e][at(i)] + more * end.opens[at(i)];
       for (int lane = 0; lane < lanes; ++lane) displacement[end.first[at(lane)] + i] = to[lane];
     }
   }
@@ -41,12 +41,23 @@ namespace {
 
 }  // namespace
 
-BLOCKWEIR_WIDE_VECTORS void push_batches(std::vector<OverlapBatch>& batches, const std::vector<std::size_t>& acting,
-                                         bool back, double aim, double* displacement, OverlapProgress& progress) {
+BLOCKWEIR_WIDE_VECTORS void push_batches(std::vector<OverlapBatch>& batches, std::span<const std::size_t> acting,
+                                         double beyond, double aim, double* displacement, OverlapProgress& progress) {
   OverlapProgress so_far = progress;
-  for (std::size_t k = 0; k < acting.size(); ++k) {
-    push(batches[acting[back ? acting.size() - 1 - k : k]], aim, displacement, so_far);
+  for (const std::size_t k : acting) {
+    OverlapBatch& batch = batches[k];
+    const Four now = batch.push;
+    batch.push += beyond * (now - batch.push_before);
+    batch.push_before = now;
+    push(batch, aim, displacement, so_far);
   }
+  progress = so_far;
+}
+
+BLOCKWEIR_WIDE_VECTORS void push_batches_back(std::vector<OverlapBatch>& batches, std::span<const std::size_t> acting,
+                                              double aim, double* displacement, OverlapProgress& progress) {
+  OverlapProgress so_far = progress;
+  for (std::size_t k = acting.size(); k-- > 0;) push(batches[acting[k]], aim, displacement, so_far);
   progress = so_far;
 }
 

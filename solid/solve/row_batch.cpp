@@ -84,7 +84,7 @@ template <int first, int second, bool dry>
 }  // namespace
 
 // A loop for each kind: what both would keep in registers are too many for one.
-BLOCKWEIR_WIDE_VECTORS void sweep_batches(std::vector<RowBatch>& batches, const std::vector<BatchEntry>& entries,
+BLOCKWEIR_WIDE_VECTORS void sweep_batches(std::span<RowBatch> batches, const std::vector<BatchEntry>& entries,
                                           double by, double part, double* displacement, BatchProgress& progress) {
   const BatchEntry* const all = entries.data();
   const auto end = batches.end();

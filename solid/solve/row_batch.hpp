@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "solid/contact/force_rule.hpp"
@@ -48,10 +49,15 @@ struct alignas(sizeof(Four)) BatchEntry {
 struct alignas(sizeof(Four)) BatchProgress {
   Four largest{};
   Four ahead{};
+
+  void operator+=(const BatchProgress& other) {
+    largest = largest > other.largest ? largest : other.largest;
+    ahead += other.ahead;
+  }
 };
 
-/// Visits all batches, from forces that go on by `by` times their last change, and go `part` of their way.
-void sweep_batches(std::vector<RowBatch>& batches, const std::vector<BatchEntry>& entries, double by, double part,
+/// Visits the batches, from forces that go on by `by` times their last change, and go `part` of their way.
+void sweep_batches(std::span<RowBatch> batches, const std::vector<BatchEntry>& entries, double by, double part,
                    double* displacement, BatchProgress& progress);
 
 }  // namespace blockweir::solid

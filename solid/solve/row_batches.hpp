@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solid/solve/force_row.hpp"
+#include "solid/solve/parts.hpp"
 #include "solid/solve/row_batch.hpp"
 
 namespace blockweir::solid {
@@ -35,9 +36,12 @@ class RowBatches {
 
   [[nodiscard]] bool are_coloured(const std::vector<ForceRow>& rows) const;
   void colour(const std::vector<ForceRow>& rows, Eigen::Index nowhere);
+  void add_batches(const std::vector<int>& colour, const std::vector<ForceRow>& rows);
+  static void begin(RowBatch& batch, const std::vector<ForceRow>& rows);
   void fill(const RowBatch& batch, const std::vector<ForceRow>& rows, const std::vector<double>& entries);
 
   std::vector<RowBatch> batches_;
+  EndsOfParts ends_of_parts_{};  ///< among the batches; the last: of what joins them
   std::vector<BatchEntry> entries_;
   std::vector<int> left_alone_;
   std::vector<Ends> coloured_;  ///< of the rows for which batches were chosen

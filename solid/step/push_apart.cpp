@@ -6,22 +6,34 @@
 #include <cmath>
 
 #include "bridge/scene/at.hpp"
+#include "solid/block/parallel.hpp"
 #include "solid/contact/outline.hpp"
 #include "solid/solve/overlap_projection.hpp"
 
 namespace blockweir::solid {
 
 void PushApart::meet(const IslandEquations& s) {
-  meetings_.clear();
-  for (const int k : s.island.contacts) meetings_.push_back(now_.of_contact(state_.contacts[at(k)]));
-  for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
+  const std::size_t contacts = s.island.contacts.size();
+  meetings_.resize(contacts + passing_.size());
+  in_pieces(meetings_.size(), [&](std::size_t first, std::size_t end) {
+    Meetings now(step_);
+    for (std::size_t i = first; i < end; ++i) {
+      meetings_[i] = i < contacts ? now.of_contact(state_.contacts[at(s.island.contacts[i])])
+                                  : now.of_passing(*passing_[i - contacts]);
+    }
+  });
 }
 
-/// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest.
+/// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest; and
+/// in proportion to the island's extent, as many blocks are to give way to each.
 double PushApart::lasting_m(const IslandEquations& s) const {
   constexpr double more = 10;
-  const bool many_fall = s.unknowns->total > large_island && trial_.falls();
-  return (many_fall ? more : 1) * formulation_->settings().lasting_overlap_m;
+  constexpr double share_of_extent = 5e-8;
+  const double lasting = formulation_->settings().lasting_overlap_m;
+  if (lasting == 0 || s.unknowns->total <= large_island || !trial_.falls()) return lasting;
+  Eigen::AlignedBox2d extent;
+  for (const int b : s.island.blocks) extent.extend(state_.placements[at(b)].centre());
+  return std::max(more * lasting, share_of_extent * extent.sizes().maxCoeff());
 }
 
 double PushApart::left_by_sweeps_m(const IslandEquations& s) const {
@@ -35,7 +47,7 @@ double PushApart::left_by_sweeps_m(const IslandEquations& s) const {
 
 bool PushApart::push(const IslandEquations& s) {
   constexpr int most = 10;  // pushes turn blocks, and what they had not met is met then
-  const double lasting = lasting_m(s);
+  const double lasting = lasting_m_ = lasting_m(s);
   if (lasting == 0) return false;
   // Newton's method leaves none but those that a swept step had left.
   const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -lasting; };
@@ -103,18 +115,20 @@ PushApart::Push PushApart::find_push(const IslandEquations& s) const {
     const Inertia& inertia = model_.blocks[at(b)].inertia;
     mass.emplace_back(inertia.mass(), inertia.mass(), inertia.of_turn());
   }
-  std::vector<Overlap> overlaps;
-  for (const Meeting& m : meetings_) {
+  std::vector<Overlap> overlaps(meetings_.size());
+  for_each(meetings_.size(), [&](std::size_t i) {
+    const Meeting& m = meetings_[i];
     const Point& n = m.normal;
-    Overlap& o = overlaps.emplace_back(Overlap{m.gap, {}});
+    Overlap& o = overlaps[i];
+    o.gap = m.gap;
     for (const bool second : {false, true}) {
       const int b = second ? m.face_block : m.corner_block;
       const double turns = n.dot(perpendicular(m.corner - state_.placements[at(b)].centre()));
       o.ends[second ? 1 : 0] = {push.number(b), (second ? -1 : 1) * Eigen::Vector3d(n.x(), n.y(), turns)};
     }
-  }
+  });
   OverlapProjection projection(mass, overlaps);
-  projection.solve(lasting_m(s));
+  projection.solve(lasting_m_);
   for (std::size_t k = 0; k < push.bodies.size(); ++k) push.moved.push_back(projection.moved(k));
   return push;
 }
@@ -126,9 +140,9 @@ int PushApart::Push::number(int b) const {
 
 /// What sticks does so where it has been pushed to.
 void PushApart::carry_out(const IslandEquations& s, const Push& push, double share) {
-  for (const int k : s.island.contacts) {
-    ContactPoint& c = state_.contacts[at(k)];
-    if (c.state == ContactState::open) continue;
+  for_each(s.island.contacts.size(), [&](std::size_t i) {
+    ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
+    if (c.state == ContactState::open) return;
     const EdgeFrame edge = edge_frame(trial_.at_start(), c);
     const auto moved = [&](int b) {
       const int body = push.number(b);
@@ -137,7 +151,7 @@ void PushApart::carry_out(const IslandEquations& s, const Push& push, double sha
       return edge.t.dot(by.head<2>() + by[2] * perpendicular(state_.place(c) - state_.placements[at(b)].centre()));
     };
     c.anchor += (moved(c.vertex_block) - moved(c.edge_block)) / edge.length;
-  }
+  });
   for (std::size_t k = 0; k < push.bodies.size(); ++k) displace(at(push.bodies[k]), share * push.moved[k]);
 }
 

@@ -38,6 +38,7 @@ class PushApart : StepPart {
   void displace(std::size_t block, const Eigen::Vector3d& by);
 
   Meetings now_;
+  double lasting_m_ = 0;
   std::vector<const ContactPoint*> passing_;  ///< corners of the island that no contact parts
   std::vector<Meeting> meetings_;             ///< of the island's contacts, then of these, as its blocks are now
 };

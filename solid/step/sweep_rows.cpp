@@ -39,7 +39,23 @@ bool SweepRows::begin(IslandEquations& s) {
 }
 
 void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force) {
-  ForceSweeps::Row& row = s.sweeps.add_row();
+  add(s, action.block_i, action.block_j);
+  set(s, s.sweeps.rows().back(), ruled, action, force);
+}
+
+void SweepRows::add(IslandEquations& s, int block_i, int block_j) {
+  s.sweeps.add_row();
+  if (s.moves_as_one()) return;  // how much moves shows when it does
+  for (const bool second : {false, true}) {
+    const int block = second ? block_j : block_i;
+    if (!trial_.moves(block)) continue;
+    const auto k = at(s.local(block));
+    s.sweeps.add_room(second, s.unknowns->first[k], s.unknowns->count[k]);
+  }
+}
+
+void SweepRows::set(IslandEquations& s, ForceSweeps::Row& row, const Ruled& ruled, const Interaction& action,
+                    const Eigen::Vector2d& force) {
   row.apart = ruled.apart;
   row.rule = ruled.rule;
   row.force = force;
@@ -50,17 +66,16 @@ void SweepRows::add(IslandEquations& s, const Ruled& ruled, const Interaction& a
     const Placement& placement = trial_.placement[at(block)];
     const double side = second ? -1 : 1;
     const auto k = at(s.local(block));
-    const auto first = s.unknowns->first[k];
     if (as_one) {
       add_end_of_all(s, second, static_cast<int>(k), side * action.shape(placement, second));
     } else if (s.unknowns->count[k] == 3) {
       const Eigen::Matrix<double, 2, 3> motions = side * action.rigid_shape(placement, second);
       const Eigen::Matrix<double, 3, 2> responses = s.compliance[k].topLeftCorner<3, 3>() * motions.transpose();
-      s.sweeps.add_end(second, first, motions, responses);
+      s.sweeps.set_end(row, second, motions, responses);
     } else {
       const Matrix26 motions = side * action.shape(placement, second);
       const Eigen::Matrix<double, 6, 2> responses = s.compliance[k] * motions.transpose();
-      s.sweeps.add_end(second, first, motions, responses);
+      s.sweeps.set_end(row, second, motions, responses);
     }
   }
 }

@@ -13,7 +13,13 @@ class SweepRows : StepPart {
   /// No rows yet; displacements are those by the island's residual, each block by itself. False where a mesh has no
   /// solution. Again in the same step, only the residual may be another.
   bool begin(IslandEquations& island);
+  /// The next row.
   void add(IslandEquations& island, const Ruled& ruled, const Interaction& action, const Eigen::Vector2d& force);
+  /// The same in two parts: the next row, between these blocks; and what is in it, of several rows at once, but where
+  /// blocks move as one: of the last.
+  void add(IslandEquations& island, int block_i, int block_j);
+  void set(IslandEquations& island, ForceSweeps::Row& row, const Ruled& ruled, const Interaction& action,
+           const Eigen::Vector2d& force);
 
  private:
   void add_end_of_all(IslandEquations& island, bool second, int block, const Matrix26& shape);

@@ -7,6 +7,7 @@
 
 #include "bridge/results/stopwatch.hpp"
 #include "bridge/scene/at.hpp"
+#include "solid/block/parallel.hpp"
 #include "solid/contact/bonds.hpp"
 #include "solid/solve/standing_forces.hpp"
 #include "solid/step/equilibrium.hpp"
@@ -154,18 +155,8 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
   s.balance_alone();
   s.find_residual({});
   if (!rows.begin(s)) return false;
+  add_contacts(s, rows, first_round);
   const Trial now = trial_.now();
-  const bool cold = first_round && pumps(s);
-  for (const int k : s.island.contacts) {
-    const ContactPoint& c = state_.contacts[at(k)];
-    const EdgeFrame edge = edge_frame(now, c);
-    const Ruled ruled = formulation_->ruled_contact(now, k, c, edge);
-    rows.add(s, ruled, interaction_of(c, edge, ruled.apart.y()),
-             cold                                         ? Point(0, 0)
-             : first_round && !trial_.first_force.empty() ? trial_.first_force[at(k)]
-             : c.state == ContactState::open              ? Point(0, 0)
-                                                          : c.force);
-  }
   for (const int k : s.island.supports) {
     const Support& support = state_.supports[at(k)];
     rows.add(s, formulation_->ruled_support(now, k, support), interaction_of(support), support.force);
@@ -177,6 +168,36 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
   if (first_round && is_at_rest(s)) stand_or_go(s);
   s.sweeps.apply_forces();
   return true;
+}
+
+/// Where blocks move by themselves, rows are set side by side.
+void SweptEquilibrium::add_contacts(IslandEquations& s, SweepRows& rows, bool first_round) {
+  const Trial now = trial_.now();
+  const bool cold = first_round && pumps(s);
+  const auto add = [&](std::size_t i) {
+    const ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
+    rows.add(s, c.vertex_part, c.edge_part);
+  };
+  const auto set = [&](std::size_t i) {
+    const int k = s.island.contacts[i];
+    const ContactPoint& c = state_.contacts[at(k)];
+    const EdgeFrame edge = edge_frame(now, c);
+    const Ruled ruled = formulation_->ruled_contact(now, k, c, edge);
+    rows.set(s, s.sweeps.rows()[i], ruled, interaction_of(c, edge, ruled.apart.y()),
+             cold                                         ? Point(0, 0)
+             : first_round && !trial_.first_force.empty() ? trial_.first_force[at(k)]
+             : c.state == ContactState::open              ? Point(0, 0)
+                                                          : c.force);
+  };
+  const std::size_t count = s.island.contacts.size();
+  if (!s.moves_as_one()) {
+    for (std::size_t i = 0; i < count; ++i) add(i);
+    return for_each(count, set);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    add(i);
+    set(i);
+  }
 }
 
 /// Has energy that the steps before made, and that no motion could pay, come to a share of a fall's through the step?
@@ -230,10 +251,10 @@ void SweptEquilibrium::take_forces(IslandEquations& s) {
   const std::size_t supports = s.island.supports.size();
   s.actions.resize(contacts + supports + s.bolts.size());
   const auto& rows = s.sweeps.rows();
-  for (std::size_t i = 0; i < contacts; ++i) {
+  for_each(contacts, [&](std::size_t i) {
     const int k = s.island.contacts[i];
     s.actions[i] = formulation_->take_contact(now, k, state_.contacts[at(k)], {rows[i].force, rows[i].slips});
-  }
+  });
   for (std::size_t i = 0; i < supports; ++i) {
     const int k = s.island.supports[i];
     s.actions[contacts + i] = formulation_->take_support(now, k, state_.supports[at(k)], rows[contacts + i].force);

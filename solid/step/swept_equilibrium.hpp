@@ -26,6 +26,7 @@ class SweptEquilibrium : StepPart {
   bool finish(IslandEquations& island, const StepMode& mode);
   void begin(IslandEquations& island);
   void start_again(const IslandEquations& island);
+  void add_contacts(IslandEquations& island, SweepRows& rows, bool first_round);
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
   [[nodiscard]] bool pumps(const IslandEquations& island) const;
   [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;

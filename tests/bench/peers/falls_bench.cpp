@@ -3,7 +3,8 @@
 // Walls that fall when gravity is tilted, and heaps of stones, beside Box2D in one run: wall time, slowest step over
 // the median step, energy made over energy dissipated, largest overlap of two blocks at any step's end. Steps are 0.01
 // s on both sides; Box2D takes 16 velocity and 16 position iterations. Nothing sleeps. Rows of 10,000 blocks want
-// --large; --random FROM TO makes the falls of these seeds, without Box2D.
+// --large; a word after that, or alone, is of the scenes' names; --random FROM TO makes the falls of these seeds,
+// without Box2D.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -181,7 +182,7 @@ int main(int argc, char** argv) {
     random_falls(static_cast<unsigned>(std::stoul(argv[2])), static_cast<unsigned>(std::stoul(argv[3])));
     return 0;
   }
-  if (argc > 1 && !large) only = argv[1];
+  if (argc > (large ? 2 : 1)) only = argv[large ? 2 : 1];
   fmt::print("{:<16} {:<10} {:>10} {:>8} {:>16} {:>16} {:>14}\n", "scene", "program", "wall [ms]", "/ Box2D",
              "slowest/median", "made/dissipated", "overlap [m]");
   if (large) {
