@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace blockweir::geometry {
@@ -10,7 +11,9 @@ namespace blockweir::geometry {
 std::string place_text(const Point& place, double size_m) {
   constexpr double round_off = 1e-5;
   const auto told = [&](double x) { return std::abs(x) < round_off * size_m ? 0 : x; };
-  return fmt::format("({:.4g}, {:.4g})", told(place.x()), told(place.y()));
+  const double beyond = size_m > 0 ? place.cwiseAbs().maxCoeff() / size_m : 1;  // in national coordinates many sizes
+  const int digits = 4 + static_cast<int>(std::ceil(std::log10(std::clamp(beyond, 1.0, 1e11))));
+  return fmt::format("({:.{}g}, {:.{}g})", told(place.x()), digits, told(place.y()), digits);
 }
 
 std::string without_signed_zero(std::string number) {

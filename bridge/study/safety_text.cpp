@@ -41,7 +41,8 @@ std::string load_factor_text(const json& found) {
 std::string water_factor_text(const json& found, bool fails) {
   const std::string bears = found["factor"].is_null()
                                 ? "it does not stand even without the water's pressure"
-                                : scaled(found["factor"], "it bears {:.5g} times what the water presses");
+                                : scaled(found["factor"], "it bears {:.5g} times what the water presses") +
+                                      (found.value("keeps_cracks", false) ? " while cracks stay as they are" : "");
   if (!found.contains("with_anchors_at_yield")) {
     return bears + (found["factor"].is_null() ? " (limit analysis)" : ", by limit analysis");
   }

@@ -12,6 +12,7 @@
 #include "solid/answers/answer_entries.hpp"
 #include "solid/answers/contradiction.hpp"
 #include "solid/answers/crushed_corners.hpp"
+#include "solid/answers/growing_cracks.hpp"
 #include "solid/answers/joint_answer.hpp"
 #include "solid/answers/other_orders.hpp"
 #include "solid/answers/safety_reserves.hpp"
@@ -195,6 +196,7 @@ json safety_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
     solid::add_brittle_bonds(structure, now, *blocks.value, loads, answer);
   }
   if (by_limit.value) solid::add_water_factor(structure, now, stated, *by_limit.value, answer);
+  solid::add_growing_cracks(now, make_fluid, answer);
   if (blocks.value) solid::add_stretch_of_anchors(now, *blocks.value, answer);
   if (by_limit.value) {
     solid::add_strength_with_crushed_corners(structure, loads, *by_limit.value, answer);

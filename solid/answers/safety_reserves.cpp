@@ -67,11 +67,9 @@ double or_zero(const nlohmann::json& factor) {
   return factor.is_number() ? factor.get<double>() : 0;
 }
 
-constexpr double scarce = 1.1;  ///< factors below it are warned of
-
 std::string near_its_end(double factor, const char* with, const limit::LimitStrength& strength) {
   const bool strong = strength.bearing == Bearing::bears_any ||
-                      (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce);
+                      (strength.bearing == Bearing::fails_at_a_factor && strength.factor > scarce_water_factor);
   return fmt::format(
       "near its end: {:.5g} times what the water presses, its uplift included, brings it down{}, by limit analysis; "
       "{}look at the resultants and at `level`",
@@ -103,7 +101,7 @@ void add_water_factor(const limit::LimitAnalysis& structure, Situation& now, con
   }
   const bool fails = answer.value("outcome", "") == "fails";  // no more is to be said of how near its end is
   const auto is_scarce = [&](const nlohmann::json& factor) {
-    return !fails && factor.is_number() && factor >= 1 && factor < scarce;
+    return !fails && factor.is_number() && factor >= 1 && factor < scarce_water_factor;
   };
   const bool lower =
       at_prestress && (!at_yield || (!at_yield->is_null() && or_zero(*at_prestress) < matters * or_zero(*at_yield)));

@@ -13,6 +13,8 @@
 
 namespace blockweir::solid {
 
+constexpr double scarce_water_factor = 1.1;  ///< a factor on the water below it is warned of
+
 /// Adds "water_factor" {"factor", "gap"}: the factor by which the water pressure, uplift included, may grow, by limit
 /// analysis; null: nothing of it is borne. Where anchors at their prestress lower it by more than 1 %, "factor" is the
 /// lower, and "with_anchors_at_yield" the other (null: any). Warns of what stands with a factor below 1.1.

@@ -57,8 +57,9 @@ std::string level_doubt(const scene::Scene& scene, const Failure& f) {
   constexpr double exact = 1e-3;  // of the head
   if (!(f.level_uncertainty_m > exact * std::abs(f.head_m))) return {};
   if (f.window_rise_m > f.level_uncertainty_m / 2) {
-    return fmt::format("this level is read to {:.2g} m, its {} in one window: {} more slowly or shorten window_s",
-                       f.level_uncertainty_m, f.falls ? "fall" : "rise", f.falls ? "empty" : "fill");
+    return fmt::format(
+        "this level is read to {:.2g} m, as it {} by {:.2g} m in one window: {} more slowly or shorten window_s",
+        f.level_uncertainty_m, f.falls ? "falls" : "rises", f.window_rise_m, f.falls ? "empty" : "fill");
   }
   if (scene.base_motion) return fmt::format("the ground shakes: this level is read to {:.2g} m", f.level_uncertainty_m);
   return fmt::format(

@@ -110,15 +110,22 @@ json failure(const expect::Outcome& o) {
 }
 
 /// A run that ends while something moves has not shown that the structure stands.
-json moving(const Solid& solid, const Moving& m) {
+json moving(const Solid& solid, const Moving& m, bool unheld) {
   const std::string& name = solid.blocks()[at(m.block)].name;
-  return {
-      {"block", name},
-      {"speed_m_per_s", m.speed_m_per_s},
-      {"travel_m", m.travel_m},
-      {"text", fmt::format("block \"{}\" moved at {:.3g} m/s when the run ended, {:.3g} m from where it last stood: "
-                           "whether it stands is not decided; lengthen duration_s",
-                           name, m.speed_m_per_s, m.travel_m)}};
+  const std::string text =
+      unheld
+          ? "no forces within the joints' laws hold these blocks where they are, though they have not moved off: the "
+            "load exceeds what they bear by too little for these steps; it does not stand; find by how much with "
+            "\"blockweir level SCENE\" or \"blockweir safety SCENE\""
+          : fmt::format(
+                "block \"{}\" moved at {:.3g} m/s when the run ended, {:.3g} m from where it last stood: "
+                "whether it stands is not decided; lengthen duration_s",
+                name, m.speed_m_per_s, m.travel_m);
+  return {{"block", name},
+          {"speed_m_per_s", m.speed_m_per_s},
+          {"travel_m", m.travel_m},
+          {"unheld", unheld},
+          {"text", text}};
 }
 
 /// Was the lowest sliding factor one of an oscillation, which has died down under loads that did not change? The factor
@@ -224,7 +231,7 @@ void add_outcome(const expect::Outcome& outcome, json& text) {
   } else {
     const auto still = outcome.failure.moving();
     text["outcome"] = still ? "moving" : "stands";
-    if (still) text["moving"] = moving(outcome.solid, *still);
+    if (still) text["moving"] = moving(outcome.solid, *still, outcome.failure.unheld());
     text["margin"] = margin(outcome);
     add_levels_not_reached(outcome, text);
   }

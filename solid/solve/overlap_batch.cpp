@@ -33,7 +33,7 @@ namespace {
   for (const std::size_t e : {0, 1}) {
     OverlapBatch::End& end = b.ends[e];
     for (int i = 0; i < 3; ++i) {
-      const Four to = moved[e][at(i)] + more * end.opens[at(i)];
+      const Four to = moved[e][at(i)] + more * end.opens[at(i)] * end.per_mass[i < 2 ? 0 : 1];
       for (int lane = 0; lane < lanes; ++lane) displacement[end.first[at(lane)] + i] = to[lane];
     }
   }

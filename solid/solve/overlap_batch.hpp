@@ -12,10 +12,10 @@ namespace blockweir::solid {
 
 /// A lane without an overlap has a gap that nothing closes.
 struct alignas(sizeof(Four)) OverlapBatch {
-  /// What one end of each lane's overlap moves, by (x, y, turn): three numbers from `first` on, each times the root of
-  /// its mass. So the same numbers tell what opens a gap and what its push moves.
+  /// What one end of each lane's overlap moves, by (x, y, turn): three numbers from `first` on.
   struct alignas(sizeof(Four)) End {
     std::array<Four, 3> opens{};  ///< d gap / d displacement
+    std::array<Four, 2> per_mass{};
     std::array<int, lanes> first{};
   };
   Four gap{};          ///< m

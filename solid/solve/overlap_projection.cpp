@@ -24,7 +24,6 @@ OverlapProjection::OverlapProjection(const std::vector<Eigen::Vector3d>& mass, c
   constexpr double far = 10;  // times the deepest overlap: what is pushed moves by some of that
   double reach_m = 0;
   for (const Overlap& o : overlaps) reach_m = std::max(reach_m, -far * o.gap);
-  for (const Eigen::Vector3d& m : mass) per_root_of_mass_.emplace_back(m.cwiseSqrt().cwiseInverse());
   std::vector<std::array<int, 2>> bodies;  // of each overlap that takes part
   std::vector<int> numbers;
   for (std::size_t k = 0; k < overlaps.size(); ++k) {
@@ -40,13 +39,13 @@ OverlapProjection::OverlapProjection(const std::vector<Eigen::Vector3d>& mass, c
     ends_of_parts_[p] = of_batch.size();
   }
   batches_.resize(of_batch.size());
-  for_each_batch(batches_.size(), [&](std::size_t k) { fill(batches_[k], overlaps, of_batch[k]); });
+  for_each_batch(batches_.size(), [&](std::size_t k) { fill(batches_[k], mass, overlaps, of_batch[k]); });
 }
 
 /// Overlaps of one part in batches by colour.
 void OverlapProjection::add_part(int p, const std::vector<int>& part, const std::vector<std::array<int, 2>>& bodies,
                                  const std::vector<int>& numbers, std::vector<std::array<int, lanes>>& of_batch) const {
-  Colouring colouring(per_root_of_mass_.size());
+  Colouring colouring(moved_.size() / 3);
   std::vector<int> alone;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!part.empty() && part[i] != p) continue;
@@ -63,8 +62,8 @@ void OverlapProjection::add_part(int p, const std::vector<int>& part, const std:
   for (const int k : alone) of_batch.push_back({k, -1, -1, -1});
 }
 
-void OverlapProjection::fill(OverlapBatch& batch, const std::vector<Overlap>& overlaps,
-                             const std::array<int, lanes>& numbers) const {
+void OverlapProjection::fill(OverlapBatch& batch, const std::vector<Eigen::Vector3d>& mass,
+                             const std::vector<Overlap>& overlaps, const std::array<int, lanes>& numbers) const {
   batch.gap += never_closed_m;
   batch.flexibility += 1.0;
   for (OverlapBatch::End& end : batch.ends) end.first.fill(static_cast<int>(moved_.size()) - 3);
@@ -75,11 +74,13 @@ void OverlapProjection::fill(OverlapBatch& batch, const std::vector<Overlap>& ov
     batch.flexibility[l] = 0;
     for (const std::size_t e : {0, 1}) {
       if (o.ends[e].body < 0) continue;
-      const Eigen::Vector3d opens = o.ends[e].opens.cwiseProduct(per_root_of_mass_[at(o.ends[e].body)]);
+      const Eigen::Vector3d& of_body = mass[at(o.ends[e].body)];
       OverlapBatch::End& end = batch.ends[e];
       end.first[lane] = 3 * o.ends[e].body;
-      for (int i = 0; i < 3; ++i) end.opens[at(i)][l] = opens[i];
-      batch.flexibility[l] += opens.squaredNorm();
+      for (int i = 0; i < 3; ++i) end.opens[at(i)][l] = o.ends[e].opens[i];
+      end.per_mass[0][l] = 1 / of_body[0];
+      end.per_mass[1][l] = 1 / of_body[2];
+      batch.flexibility[l] += o.ends[e].opens.dot(o.ends[e].opens.cwiseQuotient(of_body));
     }
   }
 }

@@ -33,16 +33,15 @@ class OverlapProjection {
   /// pushed farther than that, or after a bounded number of sweeps.
   void solve(double tolerance_m);
 
-  [[nodiscard]] Eigen::Vector3d moved(std::size_t body) const {
-    return Eigen::Vector3d::Map(&moved_[3 * body]).cwiseProduct(per_root_of_mass_[body]);
-  }
+  [[nodiscard]] Eigen::Vector3d moved(std::size_t body) const { return Eigen::Vector3d::Map(&moved_[3 * body]); }
   /// Overlap that is left [m].
   [[nodiscard]] double deepest() const;
 
  private:
   void add_part(int p, const std::vector<int>& part, const std::vector<std::array<int, 2>>& bodies,
                 const std::vector<int>& numbers, std::vector<std::array<int, lanes>>& of_batch) const;
-  void fill(OverlapBatch& batch, const std::vector<Overlap>& overlaps, const std::array<int, lanes>& numbers) const;
+  void fill(OverlapBatch& batch, const std::vector<Eigen::Vector3d>& mass, const std::vector<Overlap>& overlaps,
+            const std::array<int, lanes>& numbers) const;
   [[nodiscard]] bool is_solved(double tolerance_m) const;
   [[nodiscard]] bool may_be_pushed(const OverlapBatch& batch, double tolerance_m) const;
   void choose(double tolerance_m);
@@ -50,7 +49,6 @@ class OverlapProjection {
   void push_there(double beyond, double aim, OverlapProgress& progress);
   void push_back(double aim, OverlapProgress& progress);
 
-  std::vector<Eigen::Vector3d> per_root_of_mass_;  ///< of each body
   std::vector<OverlapBatch> batches_;
   EndsOfParts ends_of_parts_{};      ///< among the batches; the last: of what joins them
   std::vector<char> may_act_;        ///< each batch
@@ -59,7 +57,7 @@ class OverlapProjection {
   int sweeps_ = 0;
   bool saw_all_ = false;  ///< did the last sweep look at all that may be pushed?
   double last_m_ = std::numeric_limits<double>::infinity();
-  std::vector<double> moved_;  ///< (x, y, turn), times the root of its mass, of each body and of one for all that stays
+  std::vector<double> moved_;  ///< (x, y, turn) of each body, and of one for all that does not move
   std::vector<double> moved_before_;
 };
 

@@ -55,13 +55,14 @@ struct Counts {
   double condition_number = 0;  ///< largest of all systems solved, if requested by the scene
   double residual_m = 0;        ///< largest error of a gap or slip in a swept step
   double overlap_m = 0;         ///< largest overlap of blocks at the end of a step
+  long unheld_steps = 0;        ///< since something stood: blocks were next to rest, and no admissible forces held them
 
   template <class Archive>
   void serialize(Archive& archive) {
     archive(steps, undone_steps, substituted_steps, softened_steps, lagged_steps, impact_steps, pivoted_islands,
             swept_islands, iterations, factorizations, reused_factorizations, sweeps, state_changes, broad_searches,
             searches, skipped_searches, settling_steps, solved_islands, most_islands, slept_islands, condition_number,
-            residual_m, overlap_m);
+            residual_m, overlap_m, unheld_steps);
   }
 };
 

@@ -51,6 +51,7 @@ Found find_equilibrium(StepWorkspace& step, IslandEquations& island, const StepM
   CentredForces centred(step);
   if (centred.may_hold(island, mode)) {
     held = centred.hold(island);
+    step.held = step.held || held == Held::yes;
     if (held == Held::yes) return Found::by_newton;
     step.must_move = step.must_move || held == Held::no;
     begin_anew(step, island);

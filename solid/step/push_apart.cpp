@@ -24,16 +24,22 @@ void PushApart::meet(const IslandEquations& s) {
   });
 }
 
-/// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest; and
-/// in proportion to the island's extent, as many blocks are to give way to each.
+/// What may last of an island's overlaps: more where many blocks fall, as most of their pushes went into the rest.
 double PushApart::lasting_m(const IslandEquations& s) const {
   constexpr double more = 10;
+  const bool many_fall = s.unknowns->total > large_island && trial_.falls();
+  return (many_fall ? more : 1) * formulation_->settings().lasting_overlap_m;
+}
+
+/// What may be left after some pushes. Of thousands of blocks ever more have to give way to each: pushes are slow.
+double PushApart::enough_m(const IslandEquations& s, int pushes) const {
+  constexpr int few_pushes = 2;
+  constexpr int thousands = 3000;  // unknowns
   constexpr double share_of_extent = 5e-8;
-  const double lasting = formulation_->settings().lasting_overlap_m;
-  if (lasting == 0 || s.unknowns->total <= large_island || !trial_.falls()) return lasting;
+  if (pushes < few_pushes || s.unknowns->total <= thousands) return lasting_m_;
   Eigen::AlignedBox2d extent;
   for (const int b : s.island.blocks) extent.extend(state_.placements[at(b)].centre());
-  return std::max(more * lasting, share_of_extent * extent.sizes().maxCoeff());
+  return std::max(lasting_m_, share_of_extent * extent.sizes().maxCoeff());
 }
 
 double PushApart::left_by_sweeps_m(const IslandEquations& s) const {
@@ -53,7 +59,6 @@ bool PushApart::push(const IslandEquations& s) {
   const auto was_left = [&](int k) { return state_.contacts[at(k)].overlap_m < -lasting; };
   if (s.found != Found::by_sweeps && std::none_of(s.island.contacts.begin(), s.island.contacts.end(), was_left))
     return false;
-  const auto overlaps = [&](const Meeting& m) { return m.gap < -lasting; };
   int pushes = 0;
   passing_.clear();
   meet(s);
@@ -64,7 +69,7 @@ bool PushApart::push(const IslandEquations& s) {
     std::erase_if(passing_, [&](const ContactPoint* c) { return !now_.corners_touch(*c, trial_.moved_m, deepest_m); });
     for (const ContactPoint* c : passing_) meetings_.push_back(now_.of_passing(*c));
   }
-  for (; pushes < most && std::any_of(meetings_.begin(), meetings_.end(), overlaps); ++pushes) push_once(s);
+  for (; pushes < most && deepest_m() > enough_m(s, pushes); ++pushes) push_once(s);
   for (std::size_t i = 0; i < s.island.contacts.size(); ++i) {
     ContactPoint& c = state_.contacts[at(s.island.contacts[i])];
     const double gap = std::isinf(meetings_[i].gap) ? 0 : meetings_[i].gap;

@@ -30,6 +30,7 @@ class PushApart : StepPart {
 
   void meet(const IslandEquations& island);
   [[nodiscard]] double lasting_m(const IslandEquations& island) const;
+  [[nodiscard]] double enough_m(const IslandEquations& island, int pushes) const;
   [[nodiscard]] double deepest_m() const;
   void push_once(const IslandEquations& island);
   [[nodiscard]] Push find_push(const IslandEquations& island) const;

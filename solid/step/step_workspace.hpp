@@ -27,6 +27,7 @@ struct StepWorkspace {
   Counts counts;
   Profile profile;
   bool must_move = false;           ///< proved of an island: no admissible forces hold it where the step began
+  bool held = false;                ///< of an island: forces by which nothing moves were found
   std::function<void()> meanwhile;  ///< where somebody waits
 
   /// At the start of each attempt at a step, after each solution of a linear system, and between sweeps and pushes: a

@@ -29,6 +29,7 @@ Outcome TimeStep::attempt(const Stretch& stretch, const StepMode& mode) {
 Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
   free_upper_halves();
   step_.go_on();
+  if (mode.in_motion()) step_.must_move = step_.held = false;
   const Stopwatch::Sample sample(timed());
   if (model_.is(scene::AnalysisKind::quasi_static)) state_.stop();
   const long touching = !mode.smooth_only ? 0 : state_.touched_before.value_or(state_.touching_contacts());
@@ -57,6 +58,10 @@ Outcome TimeStep::attempt_again(const Stretch& stretch, const StepMode& mode) {
     for (IslandEquations& s : islands_) formulation_->undo(s.island_contacts());
     state_.contacts_stand = seen;
     return seen ? outcome : attempt_again(stretch, mode);
+  }
+  if (mode.in_motion()) {
+    const bool stands = step_.held || moved == 0;
+    counts_.unheld_steps = step_.must_move ? counts_.unheld_steps + 1 : stands ? 0 : counts_.unheld_steps;
   }
   const bool otherwise = end.accept(stretch, mode);
   state_.contacts_stand = moved == 0 && formulation_->progress().state_changes() == state_changes_before && !otherwise;

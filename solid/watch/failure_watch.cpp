@@ -229,6 +229,11 @@ double FailureWatch::farthest_failed_m(double before_s) const {
   return farthest;
 }
 
+bool FailureWatch::unheld() const {
+  constexpr long steps = 10;  // a motion that begins takes some, too
+  return solid_.counts().unheld_steps >= steps && !solid_.scene().base_motion;
+}
+
 std::optional<Moving> FailureWatch::moving() const {
   std::vector<bool> free(watched_.size());
   for (std::size_t b = 0; b < free.size(); ++b) free[b] = !solid_.blocks()[b].fixed && !guided_[b];
@@ -239,7 +244,8 @@ std::optional<Moving> FailureWatch::moving() const {
     if (!free[b] || block.failed || (!slow_[b] && strains(b))) continue;
     // A slow one may have begun to move, also where what it owes of energy makes it count as moving.
     const double fast = speed(b);
-    if (fast <= solid_.scene().analysis.rest_speed_m_per_s && (held[b] || !sets_out(solid_, b))) continue;
+    const bool slow = fast <= solid_.scene().analysis.rest_speed_m_per_s;
+    if (slow && !unheld() && (held[b] || !sets_out(solid_, b))) continue;
     const auto key = [&](std::size_t other, double v) { return std::pair(!crumbs_[other], v); };
     if (!fastest || key(b, fast) > key(at(fastest->block), fastest->speed_m_per_s)) {
       fastest = {static_cast<int>(b), fast, travel(b)};

@@ -98,7 +98,10 @@ class FailureWatch {
   [[nodiscard]] double farthest_failed_m(double before_s = std::numeric_limits<double>::infinity()) const;
 
   /// The fastest block that neither is at rest nor has failed, a crumb only if no other is left; none if there is none.
+  /// Blocks that no forces hold are not at rest, however slow they are: as they begin to move, what sweeps leave may
+  /// exceed what little drives them.
   [[nodiscard]] std::optional<Moving> moving() const;
+  [[nodiscard]] bool unheld() const;
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -32,6 +32,8 @@ const char* makes_of_a_crack(Uplift law) {
       return "lets water through it as if its faces touched";
     case Uplift::none:
       return "keeps water out of it";
+    case Uplift::heads:
+      return "keeps its heads where the crack has run past them";
     default:
       return nullptr;
   }

@@ -180,6 +180,49 @@ TEST(SafetyWarnings, TheFactorOnTheWaterIsToldWithAnchorsAtTheirPrestressToo) {
   EXPECT_THAT(warnings(full), Not(HasSubstr("near its end")));
 }
 
+/// Does a crack in the base of such a dam end, upright upstream and narrowing to a tenth of its base, by the gravity
+/// method? Full pressure in it, then down to nothing at the toe; the length that presses is three times the way from
+/// the toe to the resultant.
+bool crack_ends(double b, double height, double h, double times) {
+  const double gamma = times * 1000 * 9.81;
+  const double weight = 2400 * 9.81 * 0.55 * b * height;
+  const double arm = b - b * 1.11 / 3.3;  // of the weight, about the toe
+  double crack = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const double closed = b - crack;
+    const double uplift = gamma * h * (crack + closed / 2);
+    const double moment = weight * arm - gamma * h * h * h / 6 - gamma * h * crack * (b - crack / 2) -
+                          gamma * h * closed * closed / 3;  // about the toe
+    if (moment <= 0 || uplift >= weight) return false;
+    crack = std::max(crack, b - 3 * moment / (weight - uplift));
+    if (crack >= b) return false;
+  }
+  return true;
+}
+
+/// A factor on the water that keeps cracks as long as they are does not see that they run away.
+TEST(SafetyWarnings, CracksThatGrowWithTheWaterAreSaidToBringItDown) {
+  int seen = 0;
+  for (const double scale : {0.3, 1.0, 4.0}) {
+    const double b = 7.5 * scale;
+    const double height = 9 * scale;
+    const std::string outline = fmt::format("[0, 0], [{0}, 0], [{1}, {2}], [0, {2}]", b, b / 10, height);
+    for (double h = 5 * scale; h < height; h += 0.13 * scale) {
+      if (!crack_ends(b, height, h, 1.01)) break;
+      const bool falls = !crack_ends(b, height, h, 1.1);
+      if (falls == crack_ends(b, height, h, falls ? 1.09 : 1.11)) continue;  // next to the bound
+      const json answer = safety_of(outline, "friction_angle_deg = 75, uplift = \"cracked\"", h);
+      ASSERT_EQ(answer["outcome"], "stands") << h;
+      EXPECT_TRUE(answer["water_factor"]["keeps_cracks"].get<bool>());
+      const bool by_limit = answer["water_factor"]["factor"].get<double>() < 1.1;
+      EXPECT_EQ(warnings(answer).find("near its end") != std::string::npos, falls || by_limit) << scale << ": " << h;
+      EXPECT_EQ(warnings(answer).find("cracks grow") != std::string::npos, falls && !by_limit) << scale << ": " << h;
+      seen += falls && !by_limit ? 1 : 0;
+    }
+  }
+  EXPECT_GE(seen, 3);
+}
+
 TEST(SafetyWarnings, WaterOnTheCrestIsSaidToBeLeftOut) {
   const std::string joint = "friction_angle_deg = 60";
   EXPECT_THAT(warnings(safety_of("[0, 0], [6, 0], [6, 4], [0, 4]", joint, 4.5)),
