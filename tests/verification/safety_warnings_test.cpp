@@ -204,10 +204,10 @@ bool crack_ends(double b, double height, double h, double times) {
 TEST(SafetyWarnings, CracksThatGrowWithTheWaterAreSaidToBringItDown) {
   int seen = 0;
   for (const double scale : {0.3, 1.0, 4.0}) {
-    const double b = 7.5 * scale;
+    const double b = 5.5 * scale;
     const double height = 9 * scale;
     const std::string outline = fmt::format("[0, 0], [{0}, 0], [{1}, {2}], [0, {2}]", b, b / 10, height);
-    for (double h = 5 * scale; h < height; h += 0.13 * scale) {
+    for (double h = 8 * scale; h < height; h += 0.03 * scale) {
       if (!crack_ends(b, height, h, 1.01)) break;
       const bool falls = !crack_ends(b, height, h, 1.1);
       if (falls == crack_ends(b, height, h, falls ? 1.09 : 1.11)) continue;  // next to the bound
