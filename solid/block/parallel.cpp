@@ -4,8 +4,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_scheduler_observer.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <memory>
 
@@ -16,6 +18,25 @@ using tbb::global_control;
 
 std::unique_ptr<global_control> limit_to(std::size_t count) {
   return std::make_unique<global_control>(global_control::max_allowed_parallelism, std::max<std::size_t>(count, 1));
+}
+
+/// What stops a process comes to the thread that waits for it, never to one of TBB's, which would end the process or
+/// leave that thread asleep.
+class WithoutStops : public tbb::task_scheduler_observer {
+ public:
+  WithoutStops() { observe(true); }
+  void on_scheduler_entry(bool is_worker) override {
+    if (!is_worker) return;
+    sigset_t stops;
+    sigemptyset(&stops);
+    for (const int stop : {SIGINT, SIGTERM}) sigaddset(&stops, stop);
+    ::pthread_sigmask(SIG_BLOCK, &stops, nullptr);
+  }
+};
+
+void leave_stops_to_others() {
+  static const auto* const observer = new WithoutStops;  // for good: TBB's threads outlive what is static
+  (void)observer;
 }
 
 /// TBB starts one for each core.
@@ -41,6 +62,7 @@ void set_threads(std::size_t count) {
 void share(std::size_t count, std::size_t piece, void (*work)(const void* context, std::size_t first, std::size_t end),
            const void* context) {
   if (threads() == 1) return work(context, 0, count);
+  leave_stops_to_others();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, piece),
                     [&](const auto& range) { work(context, range.begin(), range.end()); });
 }
@@ -48,6 +70,7 @@ void share(std::size_t count, std::size_t piece, void (*work)(const void* contex
 void share_by_place(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
                     const void* context) {
   if (threads() == 1) return work(context, 0, count);
+  leave_stops_to_others();
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) { work(context, range.begin(), range.end()); },
       tbb::static_partitioner());

@@ -2,8 +2,10 @@
 // links: solid_block
 // Loops on several threads do what loops on one do.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <numeric>
 #include <thread>
@@ -75,6 +77,28 @@ TEST_P(Parallel, LoopsOfTwoThreadsAtATimeAndOneInAnotherEnd) {
     if (i % 1000 == 0) for_each(many, [&](std::size_t) { ++inner; });
   });
   EXPECT_EQ(inner, static_cast<int>(many / 1000 * many));
+}
+
+std::atomic<int> stops_taken = 0;
+
+/// A thread that waits with the signal blocked finds it; one of the loops' would have ended the process.
+TEST_P(Parallel, WhatStopsTheProcessIsLeftToTheThreadThatWaits) {
+  EXPECT_EQ(visits(count), std::vector<int>(count, 1));
+  struct sigaction counts {};
+  counts.sa_handler = [](int) { ++stops_taken; };
+  struct sigaction before {};
+  ::sigaction(SIGTERM, &counts, &before);
+  sigset_t stop;
+  sigset_t mask_before;
+  sigemptyset(&stop);
+  sigaddset(&stop, SIGTERM);
+  ::pthread_sigmask(SIG_BLOCK, &stop, &mask_before);
+  ::kill(::getpid(), SIGTERM);
+  const timespec soon{.tv_sec = 0, .tv_nsec = 100'000'000};
+  EXPECT_EQ(::sigtimedwait(&stop, nullptr, &soon), SIGTERM);
+  EXPECT_EQ(stops_taken, 0);
+  ::pthread_sigmask(SIG_SETMASK, &mask_before, nullptr);
+  ::sigaction(SIGTERM, &before, nullptr);
 }
 
 INSTANTIATE_TEST_SUITE_P(OnThreads, Parallel, testing::Values(1, 2, 3, 8), testing::PrintToStringParamName());
