@@ -14,6 +14,7 @@ Work validate_command(CLI::App& app) {
   app.add_option("--json", options->json, "also write the table to this file, as JSON");
   app.add_option("--set", options->overrides, "set a key in each scene, as key=value");
   app.add_flag("--sweep", options->sweep, "repeat each with penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s");
+  app.add_flag("--short", options->brief, "of maps only the first, the middle and the last value of each key");
   add_engine_options(app, options->engine);
   return [options] {
     for (const auto& one : options->cases) require_sound_file(one, options->overrides);

@@ -125,7 +125,7 @@ int validate(const ValidateOptions& options) {
     }
     if (options.sweep) continue;
     for (const StudyTask& task : study_tasks(path, options.overrides)) {
-      work.items.push_back(study_item(path, task.name, options.overrides, /*brief=*/false, /*reported=*/false));
+      work.items.push_back(study_item(path, task.name, options.overrides, options.brief, /*reported=*/false));
       labels.push_back(fmt::format("{}, {}", case_name(path), task.name));
     }
   }

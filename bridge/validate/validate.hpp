@@ -15,6 +15,7 @@ struct ValidateOptions {
   std::filesystem::path json;                ///< empty: none
   std::vector<std::string> overrides;
   bool sweep = false;  ///< no studies; failing cases are repeated for penalties 5e6, 1e9, 1e12 and steps 1e-2, 1e-3 s
+  bool brief = false;  ///< of maps only the first, the middle and the last value of each key
   EngineOptions engine{};
 };
 
