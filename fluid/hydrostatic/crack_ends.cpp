@@ -40,6 +40,10 @@ CrackEnds::CrackEnds(const scene::Scene& scene, const std::vector<scene::Crack>&
     names_.push_back(scene::name_of(scene, cracks[k]));
     const Point mouth = cracks[k].mouth();
     const Point end = cracks[k].end();
+    const auto is_of_ground = [&](const scene::CrackPart& part) {
+      return scene.blocks[at(part.block_a)].fixed && scene.blocks[at(part.block_b)].fixed;
+    };
+    of_ground_.push_back({is_of_ground(cracks[k].parts.front()), is_of_ground(cracks[k].parts.back())});
     for (std::size_t other = 0; other < cracks.size(); ++other) {
       if (other == k) continue;
       on_another_[k].mouth = on_another_[k].mouth || lies_on(cracks[other], mouth, near_m);
@@ -71,10 +75,12 @@ std::string CrackEnds::warning() const {
   const char* pool = driest_.upstream ? "upstream" : "downstream";
   return fmt::format(
       "no open water reaches the {0} end of joint \"{1}\" at {2} m, which has the pressure of the {0} "
-      "pool there, {3:.4g} Pa, all the same; expected a joint that ends in that pool; where its ground is dry state "
-      "uplift = \"none\" for it in [[joints]]",
+      "pool there, {3:.4g} Pa, all the same; expected a joint that ends in that pool; {4}",
       pool, names_[crack_], geometry::place_text(driest_.place, scene::structure_size_m(scene_.blocks)),
-      driest_.pressure_pa);
+      driest_.pressure_pa,
+      of_ground_[crack_][driest_.upstream ? 0 : 1]
+          ? "fixed blocks that are drawn as one have no joint between them, along which its pressure falls"
+          : "where its ground is dry state uplift = \"none\" for it in [[joints]]");
 }
 
 }  // namespace blockweir::hydrostatic

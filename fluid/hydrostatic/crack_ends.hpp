@@ -2,7 +2,9 @@
 // Ends of cracks with a pool's pressure that no open water reaches: buried ends, or ends behind the structure.
 #pragma once
 
+#include <array>
 #include <string>
+#include <vector>
 
 #include "bridge/scene/cracks.hpp"
 #include "fluid/hydrostatic/wet_edges.hpp"
@@ -35,6 +37,7 @@ class CrackEnds {
   const scene::Scene& scene_;
   std::vector<OnAnother> on_another_;
   std::vector<std::string> names_;
+  std::vector<std::array<bool, 2>> of_ground_;  ///< does the crack begin, does it end between fixed blocks?
   End driest_;
   std::size_t crack_ = 0;
 };

@@ -82,6 +82,7 @@ HydrostaticModel::HydrostaticModel(const scene::Scene& scene)
       cracks_(scene::find_cracks(scene)),
       crack_pools_(scene, cracks_),
       crack_ends_(scene, cracks_),
+      crack_meetings_(scene, cracks_),
       flow_(scene, joints::ground_cut(scene)) {
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     if (cracks_[k].law == scene::Uplift::cracked) parted_.emplace(k, joints::Parted(scene, cracks_[k]));
@@ -205,7 +206,9 @@ schedule::FluidReport HydrostaticModel::report() const {
     report.skips.emplace_back(
         "the reservoir's answer to the earthquake: its added pressure is Westergaard's, 7/8 k_h rho g sqrt(H z) |n_x|");
   }
-  if (const std::string warning = crack_ends_.warning(); !warning.empty()) report.warnings.push_back(warning);
+  for (const std::string& warning : {crack_ends_.warning(), crack_meetings_.warning()}) {
+    if (!warning.empty()) report.warnings.push_back(warning);
+  }
   if (const long kept = flow_.solver().kept(); kept > 0) {
     report.skips.push_back(
         fmt::format("factors of the flow through joints, {} of {} times: apertures had changed little", kept,
@@ -269,6 +272,7 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
   const statics::Wrenches forces = parted_.empty() ? statics::Wrenches() : statics::water_forces(scene_, load);
   const Point ground_m = ground_displacement();
   const bool as_drawn = stands_as_drawn();
+  std::vector<joints::Profile> profiles;
   for (std::size_t k = 0; k < cracks_.size(); ++k) {
     const scene::Crack& crack = cracks_[k];
     const auto end_of = [&](bool upstream, const scene::CrackPart& part, const Point& outline_point) {
@@ -289,11 +293,12 @@ void HydrostaticModel::add_cracks(const std::vector<WaterBody>& open, double to_
     if (parted_.contains(k)) joint = opened(k, joint, to_s, forces);
     const std::size_t first = load.block.size();
     const bool empties = to_s < shaking_ends_s_;
-    add_crack_elements(crack, joints::uplift(crack.law, crack.known, joint),
-                       empties ? elements_drawn(scene_.water) : scene_.water.elements_per_face, structure_.outlines,
-                       open_water, load);
+    profiles.push_back(joints::uplift(crack.law, crack.known, joint));
+    add_crack_elements(crack, profiles.back(), empties ? elements_drawn(scene_.water) : scene_.water.elements_per_face,
+                       structure_.outlines, open_water, load);
     if (empties) empty_open_panels(scene_, crack, centroids_, last_motion_, first, load);
   }
+  if (as_drawn) crack_meetings_.look(profiles);
 }
 
 }  // namespace blockweir::hydrostatic

@@ -8,6 +8,7 @@
 
 #include "bridge/schedule/sides.hpp"
 #include "fluid/hydrostatic/crack_ends.hpp"
+#include "fluid/hydrostatic/crack_meetings.hpp"
 #include "fluid/hydrostatic/crack_pools.hpp"
 #include "fluid/hydrostatic/nodal_pressures.hpp"
 #include "fluid/hydrostatic/pools.hpp"
@@ -70,6 +71,7 @@ class HydrostaticModel final : public schedule::FluidSide {
   std::map<std::size_t, joints::Parted> parted_;  ///< for cracks whose length depends on the forces
   CrackPools crack_pools_;
   CrackEnds crack_ends_;
+  CrackMeetings crack_meetings_;
   joints::FlowInJoints flow_;
   Structure structure_;  ///< current
   double crest_drawn_m_ = 0;
