@@ -34,6 +34,18 @@ std::string off_the_samples(const json& answer, const json& probability) {
       digits_of(interval[0]), digits_of(interval[1]));
 }
 
+/// Of variables that change nothing at the means.
+std::string what_the_means_do(const json& answer) {
+  const json compared = answer.value("comparison", json::array());
+  if (compared.empty()) return "where another way to fail governs";
+  for (const auto& [by, found] : compared.front().items()) {
+    if (by == "where" || found["trouble"] != "" || found["level_m"].is_number()) continue;
+    return found["outcome"] == "does not stand empty" ? "where it does not stand empty"
+                                                      : "where it stands at each level that is looked at";
+  }
+  return "where another way to fail governs";
+}
+
 /// Other ways to fail that are nearly as likely, and what a look at the means alone would not show.
 std::string further_text(const json& answer, const json& found) {
   std::string text;
@@ -51,8 +63,8 @@ std::string further_text(const json& answer, const json& found) {
     idle.push_back(answer["variables"][i.get<std::size_t>()]);
   }
   if (!idle.empty()) {
-    text += fmt::format("        without effect at the means, where another way to fail governs: {}\n",
-                        fmt::join(idle, ", "));
+    text +=
+        fmt::format("        without effect at the means, {}: {}\n", what_the_means_do(answer), fmt::join(idle, ", "));
   }
   return text;
 }

@@ -186,7 +186,7 @@ void tell_points(const Measured& measured, json& row) {
     if (measured.timed) row["points"].back()["on_front"] = on_front;
   }
   for (const auto& f : measured.failed) {
-    fmt::print("  {}, {}: {}\n", f.curve, f.setting, f.trouble);
+    fmt::print("  {}: {}\n", in_words(f.curve, f.setting), f.trouble);
     row["failed"].push_back({{"curve", f.curve}, {"setting", f.setting}, {"trouble", f.trouble}});
   }
   std::fflush(stdout);
@@ -199,7 +199,9 @@ json told(const BenchCase& bench, const Measured& measured, const fs::path& out)
   fmt::print("{}: {}\n", name, measured.figure);
   tell_points(measured, row);
   if (measured.points.empty() || !measured.points.front().setting.empty()) {
-    row["verdict"] = fmt::format("{} as it stands does not run", name);
+    row["verdict"] = measured.failed.empty()
+                         ? fmt::format("{} as it stands was not measured", name)
+                         : fmt::format("{} as it stands: {}", name, measured.failed.front().trouble);
     return row;
   }
   const Point& stands = measured.points.front();

@@ -114,6 +114,13 @@ TEST(ReliabilityTold, FormNamesOtherWaysToFail) {
   EXPECT_THAT(reliability_text(answer),
               HasSubstr("        another: phi = 3; P 0.1\n        each is a way to fail: P of all together is at most "
                         "0.3\n        without effect at the means, where another way to fail governs: phi\n"));
+  for (const auto& [outcome, words] : {std::pair("stands", "it stands at each level that is looked at"),
+                                       std::pair("does not stand empty", "it does not stand empty")}) {
+    const json found = {{"level_m", nullptr}, {"trouble", ""}, {"outcome", outcome}};
+    answer["comparison"] = {{{"where", "at the means"}, {"limit", found}, {"statics", found}}};
+    EXPECT_THAT(reliability_text(answer),
+                HasSubstr(fmt::format("without effect at the means, where {}: phi\n", words)));
+  }
 }
 
 /// Each name has a height of its own in the picture.

@@ -52,10 +52,14 @@ TEST(SceneBolt, FaultsAreNamed) {
 
 TEST(SceneBolt, DoesNotEndInTheGroundInsideABlockThatMoves) {
   const std::string stiff = "stiffness_n_per_m2 = 1\n";
-  const std::string remedy = "state to_block = \"base\", or move the point into the ground";
+  const std::string remedy =
+      "state to_block = \"base\", or fixed = true in block \"base\" if it is the ground, or move the point into the "
+      "ground";
   expect_error(bolted("to_m = [1, 1]\n" + stiff), 60,
                {"to_m (1, 1) in [[bolt]] \"b\" lies within block \"base\", which moves, and no to_block is stated",
                 remedy.c_str()});
+  expect_error(bolted("to_m = [1, 3]\n" + stiff), 60,
+               {"lies within block \"top\"", "move the point into the ground: one end is in this block already"});
   for (const char* sound : {"[1, 1]\nto_block = \"base\"", "[1, 0]", "[1, -0.5]", "[1, 7]"}) {
     EXPECT_THAT(errors(bolted("to_m = " + std::string(sound) + "\n" + stiff)), testing::IsEmpty()) << sound;
   }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -54,15 +55,18 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
 
 std::string one_of(const std::vector<std::string>& candidates) {
   constexpr std::size_t most = 20;
-  if (candidates.empty()) return "one that the scene has: it has none";
-  std::vector<std::string> shown(candidates.begin(),
-                                 candidates.begin() + static_cast<std::ptrdiff_t>(std::min(most, candidates.size())));
+  std::vector<std::string> named;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(named),
+               [](const std::string& name) { return !name.empty(); });
+  if (named.empty()) return "one that the scene has: it has none";
+  std::vector<std::string> shown(named.begin(),
+                                 named.begin() + static_cast<std::ptrdiff_t>(std::min(most, named.size())));
   const auto has_comma = [](const std::string& name) { return name.find(',') != std::string::npos; };
   if (std::any_of(shown.begin(), shown.end(), has_comma)) {
     for (std::string& name : shown) name = '"' + name + '"';
   }
   return fmt::format("one of {}{}", fmt::join(shown, ", "),
-                     candidates.size() > most ? fmt::format(" and {} more", candidates.size() - most) : "");
+                     named.size() > most ? fmt::format(" and {} more", named.size() - most) : "");
 }
 
 }  // namespace blockweir::scene

@@ -11,7 +11,6 @@
 #include <sstream>
 
 #include "bridge/scene/read/check.hpp"
-#include "bridge/scene/read/decimal_comma.hpp"
 #include "bridge/scene/read/digest.hpp"
 #include "bridge/scene/read/encoding.hpp"
 #include "bridge/scene/read/entry.hpp"
@@ -25,6 +24,7 @@
 #include "bridge/scene/read/read_randomness.hpp"
 #include "bridge/scene/read/reading.hpp"
 #include "bridge/scene/read/section_drawing.hpp"
+#include "bridge/scene/read/syntax_remedy.hpp"
 #include "bridge/scene/read/time_record.hpp"
 #include "bridge/scene/structure_size.hpp"
 
@@ -77,10 +77,8 @@ toml::table parse(const std::string& text, const std::string& name) {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     const int line = static_cast<int>(error.source().begin.line);
-    const std::string decimal = remedy_of_decimal_comma_in(line_of(text, line));
     refuse(name, line, fmt::format("a syntax error: {}", error.description()), "TOML (toml.io)",
-           !decimal.empty() ? decimal
-                            : "correct the line; texts stand in quotes, lists in [ ], sections on lines of their own");
+           remedy_of_syntax(line_of(text, line)));
   }
 }
 

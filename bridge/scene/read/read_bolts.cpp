@@ -21,7 +21,8 @@ void check_end(TableReader& table, Reading& reading, const char* key, int index,
 
 /// Reports an end in the ground that lies inside a block that moves: it would hold that block to nothing that is there,
 /// and a block that was forgotten would make a dam look safer. On an outline, as on a rock's edge, it may be either's.
-void refuse_ground_in_block(TableReader& table, Reading& reading, const Point& point) {
+void refuse_ground_in_block(TableReader& table, Reading& reading, const Bolt& bolt) {
+  const Point& point = bolt.to_m;
   for (const Block& block : reading.scene.blocks) {
     if (block.fixed || block.vertices.empty()) continue;
     const double tolerance_m = 1e-6 * geometry::bounds_of(block.vertices).size();
@@ -39,7 +40,11 @@ void refuse_ground_in_block(TableReader& table, Reading& reading, const Point& p
             "for the ground",
             point.x(), point.y(), table.name(), block.name),
         "an end in the ground outside all blocks that move",
-        fmt::format("state to_block = \"{}\", or move the point into the ground", block.name));
+        &block == reading.sound_block(bolt.blocks[0])
+            ? "move the point into the ground: one end is in this block already"
+            : fmt::format("state to_block = \"{0}\", or fixed = true in block \"{0}\" if it is the ground, or move the "
+                          "point into the ground",
+                          block.name));
     return;
   }
 }
@@ -111,7 +116,7 @@ void read_bolts(Reading& reading) {
     if (ends) check_end(table, reading, "from_m", bolt.blocks[0], bolt.from_m);
     if (ends) check_end(table, reading, "to_m", bolt.blocks[1], bolt.to_m);
     if (ends && !table.has("to_block") && bolt.from_m != bolt.to_m) {
-      refuse_ground_in_block(table, reading, bolt.to_m);
+      refuse_ground_in_block(table, reading, bolt);
       warn_of_ground_in_air(table, reading, bolt.to_m);
     }
     read_stiffness(table, reading, bolt);

@@ -54,7 +54,8 @@ void read_block(TableReader& table, Reading& reading) {
     mend_outline(block.vertices, fmt::format("block \"{}\"", block.name), reading.problems,
                  [&](std::size_t vertex) { return table.place("vertices_m", vertex); });
   }
-  table.flag("fixed", block.fixed);
+  // One that is wrongly written would have errors that follow from it.
+  if (!table.flag("fixed", block.fixed) && table.has("fixed")) block.fixed = true;
   table.flag("rigid", block.rigid);
   table.point("initial_velocity_m_per_s", block.initial_velocity_m_per_s);
   table.number("initial_spin_deg_per_s", block.initial_spin_deg_per_s);
