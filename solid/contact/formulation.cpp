@@ -87,7 +87,9 @@ void Formulation::begin(const Trial& trial, const std::vector<Matrix6>& matrix, 
     if (settings_.lasting_overlap_m > 0) {
       const bool measured = settings_.swept && holds_exactly();
       const double gap = measured ? progress_.follow(trial, k, c, edge).separation.x() : c.overlap_m;
-      if (gap < -settings_.lasting_overlap_m) progress.overlap = gap;
+      // What pressed and is off by less than may last stays so: to close it would take energy, or give some.
+      const bool pressed = measured && c.state != ContactState::open && gap < settings_.lasting_overlap_m;
+      if (pressed || gap < -settings_.lasting_overlap_m) progress.overlap = gap;
     }
     const Point n = edge.n;
     progress.stiffness =

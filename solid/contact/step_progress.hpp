@@ -21,8 +21,8 @@ struct Progress {
   double slip_force = 0;  ///< shear force of the evaluation before, whose sign is the direction of slip
   double last_violation = std::numeric_limits<double>::infinity();  ///< at the sweep before
   double stiffness = 0;  ///< of the blocks against the contact [N/m per metre]
-  double overlap = 0;    ///< as the step began, not above zero: where its gap aims [m]
-  bool swept = false;    ///< its forces are a sweep's: of what sticks some slip may be left
+  double overlap = 0;  ///< gap as the step began, where it aims [m]: of what overlaps, or pressed and was all but shut
+  bool swept = false;  ///< its forces are a sweep's: of what sticks some slip may be left
   bool turning = false;  ///< slip was about to reverse and is tried as stick; not a state to end in
 
   /// The largest part of the separation that should be zero in this state; a support sticks.

@@ -9,6 +9,7 @@
 #include "bridge/scene/at.hpp"
 #include "solid/block/parallel.hpp"
 #include "solid/contact/bonds.hpp"
+#include "solid/solve/moving_forces.hpp"
 #include "solid/solve/standing_forces.hpp"
 #include "solid/step/equilibrium.hpp"
 #include "solid/step/moves_little.hpp"
@@ -165,7 +166,7 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
     const Interaction action = interaction_of(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s));
     rows.add(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
   }
-  if (first_round && is_at_rest(s)) stand_or_go(s);
+  if (first_round && !trial_.falls() && is_dry(s)) stand_or_go(s);
   s.sweeps.apply_forces();
   return true;
 }
@@ -216,32 +217,47 @@ bool SweptEquilibrium::pumps(const IslandEquations& s) const {
   return fall > 0 && owed > share * fall;
 }
 
-/// Blocks in dry contacts that move by little more than what sweeps would leave.
-bool SweptEquilibrium::is_at_rest(const IslandEquations& s) const {
+/// Blocks in dry contacts alone.
+bool SweptEquilibrium::is_dry(const IslandEquations& s) const {
   if (s.moves_as_one() || !s.island.supports.empty() || !s.bolts.empty()) return false;
   const auto& rows = s.sweeps.rows();
-  if (!std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return r.rule.is_dry(); })) {
-    return false;
-  }
-  return moves_little(step_, s);
+  return std::all_of(rows.begin(), rows.end(), [](const ForceRow& r) { return r.rule.is_dry(); });
 }
 
 /// What will move soon, if it does not now, has no creep that is to be kept small.
 void SweptEquilibrium::stand_or_go(IslandEquations& s) {
-  const bool rigid = s.unknowns->total == 3 * s.unknowns->blocks();
-  if ((held_ == Held::no || !stand(s)) && rigid) moves_m_ = trial_.fall_m();
+  const bool rests = moves_little(step_, s);
+  std::vector<Matrix6> matrix;
+  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
+  if (rests && held_ != Held::no && stand(s, matrix)) return;
+  if (s.unknowns->total != 3 * s.unknowns->blocks()) return;  // they strain
+  if (s.unknowns->total > few_unknowns) {
+    go(s, matrix);
+  } else if (rests) {
+    moves_m_ = trial_.fall_m();
+  }
 }
 
 /// Begins with forces by which nothing moves, if there are such. Sweeps would come to them only in the limit, and let
 /// the structure creep until then.
-bool SweptEquilibrium::stand(IslandEquations& s) {
-  std::vector<Matrix6> matrix;
-  for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
+bool SweptEquilibrium::stand(IslandEquations& s, const std::vector<Matrix6>& matrix) {
   StandingForces forces(s.sweeps, *s.unknowns, matrix);
   if (!forces.found(s.residual, enough_share * trial_.fall_m())) return false;
+  take(s, forces);
+  return true;
+}
+
+/// Begins with forces that let many blocks move slowly. What sweeps alone would leave is more than such a motion.
+void SweptEquilibrium::go(IslandEquations& s, const std::vector<Matrix6>& matrix) {
+  MovingForces forces(s.sweeps, *s.unknowns, matrix);
+  forces.find(s.residual, enough_share * trial_.fall_m());
+  take(s, forces);
+}
+
+template <class Forces>
+void SweptEquilibrium::take(IslandEquations& s, const Forces& forces) {
   auto& rows = s.sweeps.rows();
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].force = forces.force(row);
-  return true;
 }
 
 /// Forces found act at the trial, with their states.

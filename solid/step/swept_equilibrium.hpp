@@ -29,9 +29,12 @@ class SweptEquilibrium : StepPart {
   void add_contacts(IslandEquations& island, SweepRows& rows, bool first_round);
   bool linearize(IslandEquations& island, SweepRows& rows, bool first_round);
   [[nodiscard]] bool pumps(const IslandEquations& island) const;
-  [[nodiscard]] bool is_at_rest(const IslandEquations& island) const;
+  [[nodiscard]] bool is_dry(const IslandEquations& island) const;
   void stand_or_go(IslandEquations& island);
-  bool stand(IslandEquations& island);
+  bool stand(IslandEquations& island, const std::vector<Matrix6>& matrix);
+  void go(IslandEquations& island, const std::vector<Matrix6>& matrix);
+  template <class Forces>
+  void take(IslandEquations& island, const Forces& forces);
   void take_forces(IslandEquations& island);
 
   Held held_;
