@@ -206,8 +206,8 @@ std::string joint_parts_text(const json& answer) {
   if (parts.empty()) return {};
   constexpr const char* row = "{:<20} {:>9} {:>9} {:>9} {:>9} {:>13}\n";
   std::string text = fmt::format(
-      "\nparts of a surface, {}: joints of the mechanism that divide the structure only\n"
-      "with others, which slide or open, and so have no factor of their own; strength: c L + N tan(phi)\n",
+      "\nparts of a surface, {}: joints of the mechanism that part blocks only\n"
+      "with others, and so have no factor of their own; strength: c L + N tan(phi)\n",
       answer["name"].get<std::string>());
   text += fmt::format(fmt::runtime(row), "joint", "L m", "N kN/m", "T kN/m", "U kN/m", "strength kN/m");
   for (const json& j : parts) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
-#include <tuple>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/geometry/polygon.hpp"
@@ -40,16 +39,6 @@ double level_stands_until(const scene::Water& w, double time_s) {
 
 bool same(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b));
-}
-
-/// Of all bodies, by block, edge and place.
-std::vector<WetInterval> wet_intervals(const std::vector<WaterBody>& bodies) {
-  std::vector<WetInterval> all;
-  for (const WaterBody& body : bodies) all.insert(all.end(), body.wet->intervals.begin(), body.wet->intervals.end());
-  std::sort(all.begin(), all.end(), [](const WetInterval& a, const WetInterval& b) {
-    return std::tie(a.block, a.edge, a.s_from) < std::tie(b.block, b.edge, b.s_from);
-  });
-  return all;
 }
 
 /// Blocks grow by half of the width on a grid of some 1e-15 of the model.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bridge/results/stopwatch.hpp"
 
@@ -20,6 +21,15 @@ bool has_sunk_below(const Structure& structure, double level_m) {
 }
 
 }  // namespace
+
+std::vector<WetInterval> wet_intervals(const std::vector<WaterBody>& bodies) {
+  std::vector<WetInterval> all;
+  for (const WaterBody& body : bodies) all.insert(all.end(), body.wet->intervals.begin(), body.wet->intervals.end());
+  std::sort(all.begin(), all.end(), [](const WetInterval& a, const WetInterval& b) {
+    return std::tie(a.block, a.edge, a.s_from) < std::tie(b.block, b.edge, b.s_from);
+  });
+  return all;
+}
 
 Pools::State Pools::find(const Structure& structure, double upstream_m, double downstream_m, scene::CrestPressure law) {
   if (as_high(upstream_m, downstream_m)) {

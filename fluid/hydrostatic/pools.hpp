@@ -16,6 +16,9 @@ struct WaterBody {
   const WetFaces* wet;
 };
 
+/// Of all bodies, by block, edge and place.
+[[nodiscard]] std::vector<WetInterval> wet_intervals(const std::vector<WaterBody>& bodies);
+
 /// Two pools with equal levels are one body of water. Pools with different levels are separate. If open water
 /// connects them the water would flow, which is a breach: each pool then wets its side of the vertical line
 /// through the middle of the crest. If both are above the crest without a breach, the part that only the lower

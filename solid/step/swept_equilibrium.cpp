@@ -166,7 +166,8 @@ bool SweptEquilibrium::linearize(IslandEquations& s, SweepRows& rows, bool first
     const Interaction action = interaction_of(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s));
     rows.add(s, ruled_bolt(now, state_.bolts[at(k)], model_.base.displacement(trial_.end_s)), action, action.force);
   }
-  if (first_round && !trial_.falls() && is_dry(s)) stand_or_go(s);
+  constexpr double slow = 0.2;  // of a fall through the step
+  if (first_round && moves_m_ <= slow * trial_.fall_m() && is_dry(s)) stand_or_go(s);
   s.sweeps.apply_forces();
   return true;
 }

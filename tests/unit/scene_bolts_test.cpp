@@ -58,7 +58,7 @@ TEST(SceneBolt, DoesNotEndInTheGroundInsideABlockThatMoves) {
   expect_error(bolted("to_m = [1, 1]\n" + stiff), 60,
                {"to_m (1, 1) in [[bolt]] \"b\" lies within block \"base\", which moves, and no to_block is stated",
                 remedy.c_str()});
-  expect_error(bolted("to_m = [1, 3]\n" + stiff), 60,
+  expect_error(bolted("to_m = [1, 3.2]\n" + stiff), 60,
                {"lies within block \"top\"", "move the point into the ground: one end is in this block already"});
   for (const char* sound : {"[1, 1]\nto_block = \"base\"", "[1, 0]", "[1, -0.5]", "[1, 7]"}) {
     EXPECT_THAT(errors(bolted("to_m = " + std::string(sound) + "\n" + stiff)), testing::IsEmpty()) << sound;

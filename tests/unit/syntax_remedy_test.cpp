@@ -30,7 +30,7 @@ TEST(SyntaxRemedy, FitsTheSlip) {
       {"friction_angle_deg = 3.5e1\u00b0", "write 3.5e1 alone: the unit is in the key's name"},
       {"density = 1e400", "write a smaller number"},
       {"uplift = \u201cdrained\u201d", "write straight quotes (\"), not those of a word processor"},
-      {"uplift = \"drained  # as \"usual\" here\"", "a quote is missing: a text begins and ends with one, on one line"},
+      {"uplift = \"drained  # as \"usual\" here", "a quote is missing: a text begins and ends with one, on one line"},
       {"[analysis]\rstep_s = 1\r", "save the file with line ends of Unix (LF) or Windows (CRLF)"},
       {"step_s = 0.01.2", any},
       {"step_s = 1_", any},

@@ -65,11 +65,11 @@ function writeLoads(c, to) {
   for (const joint of withElevations(c.loads_on_joints)) to.append(...sumsTable(joint));
 }
 
-/// Joints of the mechanism that divide the structure only with others.
+/// Joints of the mechanism that part blocks only with others.
 function writeParts(c, to) {
   const parts = c.joint_parts || [];
   if (parts.length === 0) return;
-  to.append(paragraph(`Parts of a surface, ${c.name}: joints of the mechanism that divide the structure only with others, which slide or open, and so have no factor of their own; strength is c L + N tan φ.`, 'quiet'),
+  to.append(paragraph(`Parts of a surface, ${c.name}: joints of the mechanism that part blocks only with others, and so have no factor of their own; strength is c L + N tan φ.`, 'quiet'),
     table(['joint', 'length m', 'N kN/m', 'T kN/m', 'U kN/m', 'strength kN/m'],
       parts.map(j => [j.name, fixed(j.length_m, 3), kilo(j.normal_n_per_m), kilo(j.shear_n_per_m), kilo(j.uplift_n_per_m), kilo(j.strength_n_per_m)])));
 }
