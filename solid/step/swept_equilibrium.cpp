@@ -232,7 +232,8 @@ void SweptEquilibrium::stand_or_go(IslandEquations& s) {
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   if (rests && held_ != Held::no && stand(s, matrix)) return;
   if (s.unknowns->total != 3 * s.unknowns->blocks()) return;  // they strain
-  if (s.unknowns->total > few_unknowns) {
+  constexpr int many_unknowns = 10'000;                       // of 3,000 bricks a slow step takes 2 s
+  if (s.unknowns->total > few_unknowns && s.unknowns->total <= many_unknowns) {
     go(s, matrix);
   } else if (rests) {
     moves_m_ = trial_.fall_m();
