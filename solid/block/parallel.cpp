@@ -22,22 +22,37 @@ std::unique_ptr<global_control> limit_to(std::size_t count) {
 
 /// What stops a process comes to the thread that waits for it, never to one of TBB's, which would end the process or
 /// leave that thread asleep.
-class WithoutStops : public tbb::task_scheduler_observer {
+void leave_stops_to_others(sigset_t* before = nullptr) {
+  sigset_t stops;
+  sigemptyset(&stops);
+  for (const int stop : {SIGINT, SIGTERM}) sigaddset(&stops, stop);
+  ::pthread_sigmask(SIG_BLOCK, &stops, before);
+}
+
+/// Of threads that others may have started.
+class Workers : public tbb::task_scheduler_observer {
  public:
-  WithoutStops() { observe(true); }
+  Workers() { observe(true); }
   void on_scheduler_entry(bool is_worker) override {
-    if (!is_worker) return;
-    sigset_t stops;
-    sigemptyset(&stops);
-    for (const int stop : {SIGINT, SIGTERM}) sigaddset(&stops, stop);
-    ::pthread_sigmask(SIG_BLOCK, &stops, nullptr);
+    if (is_worker) leave_stops_to_others();
   }
 };
 
-void leave_stops_to_others() {
-  static const auto* const observer = new WithoutStops;  // for good: TBB's threads outlive what is static
-  (void)observer;
-}
+/// A thread begins with the mask of the one that starts it, which is any that shares work.
+class MayStartWorkers {
+ public:
+  MayStartWorkers() {
+    static const auto* const workers = new Workers;  // for good: TBB's threads outlive what is static
+    (void)workers;
+    leave_stops_to_others(&before_);
+  }
+  ~MayStartWorkers() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  MayStartWorkers(const MayStartWorkers&) = delete;
+  MayStartWorkers& operator=(const MayStartWorkers&) = delete;
+
+ private:
+  sigset_t before_{};
+};
 
 /// TBB starts one for each core.
 std::unique_ptr<global_control>& limit() {
@@ -55,6 +70,7 @@ std::size_t threads() {
 }
 
 void set_threads(std::size_t count) {
+  const MayStartWorkers with_their_mask;
   limit().reset();  // of several the least holds
   limit() = limit_to(count);
 }
@@ -62,7 +78,7 @@ void set_threads(std::size_t count) {
 void share(std::size_t count, std::size_t piece, void (*work)(const void* context, std::size_t first, std::size_t end),
            const void* context) {
   if (threads() == 1) return work(context, 0, count);
-  leave_stops_to_others();
+  const MayStartWorkers with_their_mask;
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, piece),
                     [&](const auto& range) { work(context, range.begin(), range.end()); });
 }
@@ -70,7 +86,7 @@ void share(std::size_t count, std::size_t piece, void (*work)(const void* contex
 void share_by_place(std::size_t count, void (*work)(const void* context, std::size_t first, std::size_t end),
                     const void* context) {
   if (threads() == 1) return work(context, 0, count);
-  leave_stops_to_others();
+  const MayStartWorkers with_their_mask;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) { work(context, range.begin(), range.end()); },
       tbb::static_partitioner());

@@ -83,6 +83,7 @@ std::atomic<int> stops_taken = 0;
 
 /// A thread that waits with the signal blocked finds it; one of the loops' would have ended the process.
 TEST_P(Parallel, WhatStopsTheProcessIsLeftToTheThreadThatWaits) {
+  stops_taken = 0;
   EXPECT_EQ(visits(count), std::vector<int>(count, 1));
   struct sigaction counts {};
   counts.sa_handler = [](int) { ++stops_taken; };
