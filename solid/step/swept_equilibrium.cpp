@@ -232,7 +232,7 @@ void SweptEquilibrium::stand_or_go(IslandEquations& s) {
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   if (rests && held_ != Held::no && stand(s, matrix)) return;
   if (s.unknowns->total != 3 * s.unknowns->blocks()) return;  // they strain
-  constexpr int many_unknowns = 10'000;                       // of 3,000 bricks a slow step takes 2 s
+  constexpr int many_unknowns = 1'000;                        // what has fallen and comes to rest would take too long
   if (s.unknowns->total > few_unknowns && s.unknowns->total <= many_unknowns) {
     go(s, matrix);
   } else if (rests) {
