@@ -51,10 +51,13 @@ CrackMeetings::CrackMeetings(const scene::Scene& scene, const std::vector<scene:
 
 void CrackMeetings::add(const std::vector<scene::Crack>& cracks, std::size_t k, bool mouth) {
   const Point& place = mouth ? cracks[k].mouth() : cracks[k].end();
+  const double near_m = scene_.water.open_crack_width_m;
   for (std::size_t other = 0; other < cracks.size(); ++other) {
     if (other == k) continue;
-    const auto on_other_m = station(cracks[other], place, scene_.water.open_crack_width_m);
+    const auto on_other_m = station(cracks[other], place, near_m);
     if (!on_other_m) continue;
+    const bool at_its_end = std::min(*on_other_m, cracks[other].length_m - *on_other_m) <= near_m;
+    if (at_its_end && other < k) continue;  // it has met this one
     all_.push_back({.crack = k,
                     .end_m = mouth ? 0 : cracks[k].length_m,
                     .other = other,

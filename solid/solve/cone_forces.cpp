@@ -88,7 +88,7 @@ Eigen::Vector2d ConeForces::force(std::size_t row) const {
 }
 
 double ConeForces::unbalanced() const {
-  return unbalanced_.cwiseAbs().maxCoeff() / load_;
+  return load_ > 0 ? unbalanced_.cwiseAbs().maxCoeff() / load_ : 0;
 }
 
 double ConeForces::off_laws_m() const {

@@ -11,6 +11,7 @@ double MovingForces::find(const Eigen::VectorXd& loads, double enough_m) {
   constexpr int most_solutions = 60;
   constexpr int patience = 20;  // solutions that come no nearer
   forces_.begin(loads);
+  if (loads.isZero(0)) return 0;
   double nearest_m = std::numeric_limits<double>::infinity();
   std::vector<ConeForces::Pairs> nearest;
   int at = 0;

@@ -39,15 +39,12 @@ bool leaves_a_text_open(const std::string& line) {
 
 /// Of a value that stands alone behind its key.
 std::string remedy_of_value(const std::string& line) {
-  static const std::regex truth(R"(=\s*(yes|Yes|YES|on|On|ON|True|TRUE|no|No|NO|off|Off|OFF|False|FALSE)\s*($|#))");
+  static const std::regex yes(R"(=\s*(yes|Yes|YES|on|On|ON|True|TRUE)\s*($|#))");
+  static const std::regex no(R"(=\s*(no|No|NO|off|Off|OFF|False|FALSE)\s*($|#))");
   static const std::regex number(R"(=\s*([-+]?[0-9]+\.?[0-9]*(?:[eE][-+]?[0-9]+)?)\s*([^\s#]*)\s*($|#))");
+  if (std::regex_search(line, yes)) return "write true";
+  if (std::regex_search(line, no)) return "write false";
   std::smatch found;
-  if (std::regex_search(line, found, truth)) {
-    const char first = found[1].str().front();
-    const bool is_on = found[1].str().size() == 2 && (found[1].str()[1] == 'n' || found[1].str()[1] == 'N');
-    const bool yes = first == 'y' || first == 'Y' || first == 'T' || ((first == 'o' || first == 'O') && is_on);
-    return fmt::format("write {}", yes ? "true" : "false");
-  }
   if (!std::regex_search(line, found, number)) return {};
   if (std::isinf(std::strtod(found[1].str().c_str(), nullptr))) return "write a smaller number";
   const std::string unit = found[2].str();
