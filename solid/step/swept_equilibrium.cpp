@@ -31,6 +31,7 @@ constexpr double most_at_first = 400;  // of the first step that is swept: what 
 }  // namespace
 
 Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
+  state_.has_fallen = state_.has_fallen || trial_.falls();
   if (s.is_free() && fly(s)) return Found::by_newton_after_sweeps;
   ++counts_.swept_islands;
   moves_m_ = trial_.fastest_m_per_s() * trial_.dt;
@@ -232,8 +233,9 @@ void SweptEquilibrium::stand_or_go(IslandEquations& s) {
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   if (rests && held_ != Held::no && stand(s, matrix)) return;
   if (s.unknowns->total != 3 * s.unknowns->blocks()) return;  // they strain
-  constexpr int many_unknowns = 1'000;                        // what has fallen and comes to rest would take too long
-  if (s.unknowns->total > few_unknowns && s.unknowns->total <= many_unknowns) {
+  constexpr int many_unknowns = 1'000;                        // beyond, the first second takes too long
+  const bool begins = !state_.has_fallen;                     // what lies after a fall need not move exactly
+  if (begins && s.unknowns->total > few_unknowns && s.unknowns->total <= many_unknowns) {
     go(s, matrix);
   } else if (rests) {
     moves_m_ = trial_.fall_m();
