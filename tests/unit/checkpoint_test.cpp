@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "bridge/checkpoint/archive.hpp"
 #include "bridge/checkpoint/checkpoints.hpp"
@@ -66,6 +67,8 @@ TEST_F(Files, WhatIsNotAsItWasWrittenIsRefused) {
   std::string whole;
   std::ifstream stream(file);
   std::getline(stream, whole, '\0');
+  std::string format;
+  std::istringstream(whole) >> format >> format >> format;  // "blockweir checkpoint <format> ..."
   const auto with = [&](const std::string& text) {
     std::ofstream(file) << text;
     return refusal(checkpoints, 7);
@@ -75,8 +78,8 @@ TEST_F(Files, WhatIsNotAsItWasWrittenIsRefused) {
   EXPECT_THAT(with("nothing of the kind"), HasSubstr("not a checkpoint; run anew"));
   checkpoints.write(6, "before");
   EXPECT_THAT(with("nothing of the kind"), HasSubstr("delete it to go on from the checkpoint before it, or run anew"));
-  EXPECT_THAT(with("blockweir checkpoint 9 solid 7 abc 0 0\n"), HasSubstr("format 9, this blockweir reads 14"));
-  EXPECT_THAT(with("blockweir checkpoint 14 solid 6 abc 0 0\n"), HasSubstr("holds window 6 of solid"));
+  EXPECT_THAT(with("blockweir checkpoint 9 solid 7 abc 0 0\n"), HasSubstr("format 9, this blockweir reads " + format));
+  EXPECT_THAT(with("blockweir checkpoint " + format + " solid 6 abc 0 0\n"), HasSubstr("holds window 6 of solid"));
   EXPECT_EQ(with(whole), "");
 }
 
