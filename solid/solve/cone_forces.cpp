@@ -37,7 +37,9 @@ ConeForces::ConeForces(const ForceSweeps& sweeps, const Unknowns& unknowns, cons
       unknowns_(unknowns),
       matrix_(matrix),
       block_of_(blocks_of(unknowns)),
-      system_(make_linear_system(unknowns, couples_of(sweeps.rows(), block_of_))) {}
+      system_(make_linear_system(unknowns, couples_of(sweeps.rows(), block_of_))) {
+  system_->keep_pivots_on_diagonal();
+}
 
 void ConeForces::begin(const Eigen::VectorXd& loads) {
   loads_ = loads;

@@ -45,6 +45,8 @@ class ConeForces {
   [[nodiscard]] double friction(std::size_t row) const { return sweeps_.rows()[row].rule.friction; }
   [[nodiscard]] double largest_load() const { return load_; }
   [[nodiscard]] int solutions() const { return solutions_; }
+  /// The part of the last correction that kept all forces and motions positive.
+  [[nodiscard]] double fraction() const { return fraction_; }
 
  private:
   bool factorize();

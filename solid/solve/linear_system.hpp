@@ -54,6 +54,8 @@ class LinearSystem {
   virtual bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) = 0;
   /// Whether the last solution reused earlier factors.
   [[nodiscard]] virtual bool reused() const { return false; }
+  /// LU, where it is sparse, is to look for no other pivots.
+  virtual void keep_pivots_on_diagonal() {}
   /// Makes the next solution factorize again.
   virtual void forget_factors() {}
   /// Solutions depend on earlier factors, so a resumed run needs the same ones.

@@ -9,7 +9,8 @@ namespace blockweir::solid {
 
 double MovingForces::find(const Eigen::VectorXd& loads, double enough_m) {
   constexpr int most_solutions = 60;
-  constexpr int patience = 20;  // solutions that come no nearer
+  constexpr int patience = 20;    // solutions that come no nearer
+  constexpr double stuck = 0.01;  // of a correction
   forces_.begin(loads);
   if (loads.isZero(0)) return 0;
   double nearest_m = std::numeric_limits<double>::infinity();
@@ -23,6 +24,7 @@ double MovingForces::find(const Eigen::VectorXd& loads, double enough_m) {
       at = forces_.solutions();
     }
     if (nearest_m <= enough_m || forces_.solutions() >= std::min(most_solutions, at + patience)) break;
+    if (forces_.fraction() < stuck) break;
     forces_.let_slip(smooth_m(enough_m));
     if (!forces_.improve()) break;
   }

@@ -54,10 +54,11 @@ struct State : Standing {
   bool has_fallen = false;  ///< a block has been faster than a fall through its step
   int smooth_steps = 0;     ///< second-order schemes: steps since the last change of contacts
   ContactSearch search;
-  Backoff whole_law;    ///< Newton's method with the full Coulomb law; fails if friction must lag or sweeps are needed
-  Backoff finish;       ///< Newton's method started from the result of sweeps
-  Backoff multipliers;  ///< Lagrange multipliers in motion; fail if the substitute makes the step
-  Backoff lagging;      ///< lagged friction, used if sweeps end far from the contact laws
+  Backoff whole_law;  ///< Newton's method with the full Coulomb law; fails if friction must lag or sweeps are needed
+  Backoff finish;     ///< Newton's method started from the result of sweeps
+  Backoff moving_forces;  ///< of slow motion, found for all contacts at once
+  Backoff multipliers;    ///< Lagrange multipliers in motion; fail if the substitute makes the step
+  Backoff lagging;        ///< lagged friction, used if sweeps end far from the contact laws
 
   void restore(const Standing& before);
   /// Sets all velocities and accelerations to zero.
@@ -79,7 +80,8 @@ struct State : Standing {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(blocks, contacts, contacts_stand, touched_before, next_dt, started, time_s, rest, sleep, guard, water_work,
-            energy, smooth_steps, search, whole_law, finish, multipliers, lagging, held_by_ground, has_fallen);
+            energy, smooth_steps, search, whole_law, finish, moving_forces, multipliers, lagging, held_by_ground,
+            has_fallen);
     for (Support& support : supports) archive(support);
     for (Bolt& bolt : bolts) archive(bolt);
   }

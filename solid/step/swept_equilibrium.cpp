@@ -233,7 +233,7 @@ void SweptEquilibrium::stand_or_go(IslandEquations& s) {
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   if (rests && held_ != Held::no && stand(s, matrix)) return;
   if (s.unknowns->total != 3 * s.unknowns->blocks()) return;  // they strain
-  constexpr int many_unknowns = 1'000;                        // beyond, the first second takes too long
+  constexpr int many_unknowns = 10'000;                       // beyond, the first step takes too long
   const bool begins = !state_.has_fallen;                     // what lies after a fall need not move exactly
   if (begins && s.unknowns->total > few_unknowns && s.unknowns->total <= many_unknowns) {
     go(s, matrix);
@@ -251,10 +251,17 @@ bool SweptEquilibrium::stand(IslandEquations& s, const std::vector<Matrix6>& mat
   return true;
 }
 
-/// Begins with forces that let many blocks move slowly. What sweeps alone would leave is more than such a motion.
+/// Begins with forces that let many blocks move slowly. What sweeps alone would leave is more than such a motion. Where
+/// such forces are hard to find it is not that slow.
 void SweptEquilibrium::go(IslandEquations& s, const std::vector<Matrix6>& matrix) {
+  constexpr double near = 10;  // of what is enough
+  if (state_.moving_forces.skips()) return;
   MovingForces forces(s.sweeps, *s.unknowns, matrix);
-  forces.find(s.residual, enough_share * trial_.fall_m());
+  const double enough_m = enough_share * trial_.fall_m();
+  const double left_m = forces.find(s.residual, enough_m);
+  const bool found = left_m <= near * enough_m;
+  found ? state_.moving_forces.succeeded() : state_.moving_forces.failed();
+  if (!found && moves_m_ > 0) return;  // those of the step before are nearer
   take(s, forces);
 }
 

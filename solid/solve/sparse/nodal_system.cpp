@@ -34,6 +34,7 @@ class NodalSystem final : public LinearSystem {
   void set_zero() override { matrix_.set_zero(); }
   void set_beside(LowRank beside) override { matrix_.set_beside(std::move(beside)); }
   [[nodiscard]] bool reused() const override { return matrix_.reused(); }
+  void keep_pivots_on_diagonal() override { matrix_.keep_pivots_on_diagonal(); }
   void forget_factors() override { matrix_.forget_factors(); }
   [[nodiscard]] KeptFactors kept_factors() const override { return matrix_.kept(); }
   void restore(const KeptFactors& kept) override { matrix_.restore(kept); }

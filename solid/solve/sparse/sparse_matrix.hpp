@@ -16,6 +16,7 @@
 
 #include "bridge/results/stopwatch.hpp"
 #include "solid/solve/linear_system.hpp"
+#include "solid/solve/sparse/diagonal_lu.hpp"
 #include "solid/solve/sparse/one_thread.hpp"
 #include "solid/solve/sparse/woodbury_correction.hpp"
 
@@ -45,10 +46,13 @@ class SparseMatrix {
   /// What is solved with is k + U S U^T.
   void set_beside(LowRank beside) { beside_ = std::move(beside); }
 
+  void keep_pivots_on_diagonal() { on_diagonal_ = true; }
+
   /// Makes the next solve factorize again.
   void forget_factors() {
     cholesky_.matrix = {};
     lu_.matrix = {};
+    diagonal_lu_.matrix = {};
     large_lu_.matrix = {};
   }
 
@@ -63,12 +67,16 @@ class SparseMatrix {
   bool solve(bool symmetric, const Eigen::VectorXd& f, Eigen::VectorXd& d) {
     by_cholesky_ = symmetric;
     if (symmetric) return solve_with(cholesky_, f, d);
+    if (on_diagonal_) return solve_with(diagonal_lu_, f, d);
     return large() ? solve_with(large_lu_, f, d) : solve_with(lu_, f, d);
   }
   /// With the factors of the last solve.
   [[nodiscard]] Eigen::VectorXd solve_again(const Eigen::VectorXd& f) {
     Eigen::VectorXd d;
-    by_cholesky_ ? refine(cholesky_, f, d) : large() ? refine(large_lu_, f, d) : refine(lu_, f, d);
+    by_cholesky_   ? refine(cholesky_, f, d)
+    : on_diagonal_ ? refine(diagonal_lu_, f, d)
+    : large()      ? refine(large_lu_, f, d)
+                   : refine(lu_, f, d);
     return d;
   }
   /// Whether the last solve reused factors.
@@ -180,7 +188,9 @@ class SparseMatrix {
   Factors<Eigen::CholmodDecomposition<Matrix>> cholesky_;
   Factors<Eigen::KLU<Matrix>> lu_;
   Factors<Eigen::UmfPackLU<Matrix>> large_lu_;
+  Factors<DiagonalLu> diagonal_lu_;
   bool by_cholesky_ = false;  ///< in the last solve
+  bool on_diagonal_ = false;  ///< the pivots of LU
   bool reused_ = false;
   SolutionTimes times_;
 };
