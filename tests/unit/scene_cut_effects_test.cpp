@@ -78,6 +78,20 @@ TEST(CutEffects, ACutAlongTheShorterPartOfARegionsOutlineIsAnError) {
                 "lead the cut along all of that boundary"});
 }
 
+/// A crack parts what stands on the base in two: of these one meets the step below along a longer part than the base.
+TEST(CutEffects, ACutAlongAShorterPartOfOneBoundaryIsAnErrorThoughItActsElsewhere) {
+  const std::string step =
+      sample::with("bonded_length_m = 3", "", section) +
+      "[[region]]\nmaterial = \"m\"\noutline_m = [[0, 0], [4, 0], [4, 1], [1, 1], [1, 2], [0, 2]]\n"
+      "[[cut]]\nname = \"base\"\nfriction_angle_deg = 12\npoints_m = [[1, 1], [4, 1]]\n"
+      "[[cut]]\nname = \"crack\"\npoints_m = [[X, -1], [X, 2]]\n";
+  expect_error(sample::with("[X, -1], [X, 2]", "[1.9, -1], [1.9, 2]", step), 25,
+               {"[[cut]] \"base\" has no effect along 0.9 m between blocks \"s1\" and \"s3\": a longer part of their "
+                "boundary is a [[region]]'s outline, which has the law of [joint]",
+                "part one of the blocks where the cut ends"});
+  EXPECT_THAT(warnings(sample::with("[X, -1], [X, 2]", "[2.1, -1], [2.1, 2]", step)), IsEmpty());
+}
+
 TEST(CutEffects, SomeLinesOfANamePartNothing) {
   const std::string first = "[[cut]]\nname = \"crack\"\ndrawn = true\npoints_m = [[0, 1], [4, 1]]\n";
   expect_warning(section + first + "[[cut]]\nname = \"crack\"\ndrawn = true\npoints_m = [[0, 3], [3, 3]]\n", 26,
