@@ -148,7 +148,7 @@ std::string moment(const json& frame, const Film& film, bool contacts, const std
   }
   if (breached) level = fmt::format(", breached at {:.2f} s", breached_s);
   if (const std::size_t out = blocks_beyond(frame, view); out > 0) {
-    level += ", " + results::counted(out, "block") + " outside";
+    level += ", " + results::counted(out, "block") + " beyond the picture";
   }
   text +=
       fmt::format("set title '{:.{}f} s{}'\nset xrange [{}:{}]\nset yrange [{}:{}]\n", frame["time_s"].get<double>(),

@@ -93,6 +93,7 @@ struct Analysis {
   double rest_speed_m_per_s = 1e-5;      ///< a block slower than this counts as at rest; default: 7e-7 sqrt(g L)
   double failure_displacement_m = 0.02;  ///< a longer motion without rest is a failure; default: 1e-3 L
   bool stop_at_failure = false;          ///< end the run once the failure is certain
+  bool stop_at_breach = false;           ///< end the run once open water passes the structure
   bool islands = true;                   ///< solve groups of blocks in contact separately
   bool sleep = true;                     ///< skip islands at rest under constant loads
   bool skip_searches = true;             ///< do not search for contacts while nothing has moved

@@ -46,7 +46,10 @@ void add_breach(const expect::Outcome& outcome, nlohmann::json& text) {
                       breach.crest_m);
   }
   if (ends_still_water(outcome)) {
-    how += "; from then on water would flow, and the pressures of still water no longer apply";
+    how += outcome.solid.scene().analysis.stop_at_breach
+               ? "; from then on water would flow: the run ends here"
+               : "; from then on water would flow. The run keeps the pressures of still water, so where blocks come to "
+                 "rest is no answer (stop_at_breach ends it here)";
   }
   std::vector<int> later;
   for (const Failure& f : outcome.failure.failures()) {

@@ -200,7 +200,7 @@ bool CoupledSolid::finished() const {
   if (analysis.kind == scene::AnalysisKind::at_rest && sought) {
     return !solid_.state().rest.found || solid_.state().rest.steps == 1;
   }
-  if (interface_energy_.growth()) return true;
+  if (interface_energy_.growth() || (analysis.stop_at_breach && breach_)) return true;
   // Without velocities nothing follows a fall.
   return failure_.failed() && (analysis.stop_at_failure || analysis.kind == scene::AnalysisKind::quasi_static);
 }

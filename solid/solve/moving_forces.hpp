@@ -14,14 +14,14 @@ class MovingForces {
       : forces_(sweeps, unknowns, matrix) {}
 
   /// Under `loads`, forces on the unknowns: by how much the nearest forces found are off their laws [m], that at most
-  /// where it could be.
+  /// where it could be, and a thousandth of it where that takes few solutions.
   double find(const Eigen::VectorXd& loads, double enough_m);
   /// Normal and shear of a row, inside its cone of friction [N per metre].
   [[nodiscard]] Eigen::Vector2d force(std::size_t row) const { return forces_.force(row); }
   [[nodiscard]] int solutions() const { return forces_.solutions(); }
 
  private:
-  [[nodiscard]] double smooth_m(double enough_m) const;
+  [[nodiscard]] double smooth_m(double left_m) const;
 
   ConeForces forces_;
 };

@@ -61,9 +61,10 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
                          state_.contacts);
     if (round >= rounds && (!broken || round >= most_rounds)) break;
   }
-  // From states and forces that are next to right Newton's method is exact in a solution or two.
-  // In a fall it is worth that to few blocks; to many, from sweeps that came as close as in the first such step.
-  const bool worth = few || (!trial_.falls() && (begins || s.unknowns->total <= large_island));
+  // From states and forces that are next to right Newton's method is exact in a solution or two. It is worth that to
+  // some blocks; to many, from sweeps that came as close as in the first such step.
+  constexpr int some_unknowns = 600;
+  const bool worth = s.unknowns->total <= some_unknowns || (!trial_.falls() && begins);
   const bool near = left_m <= enough_m && formulation_->holds_exactly() && worth;
   if (near && (few || !state_.finish.skips())) {
     const bool exact = restore_unless(step_, s, mode, [&] { return finish(s, mode); });
@@ -232,12 +233,12 @@ void SweptEquilibrium::stand_or_go(IslandEquations& s) {
   std::vector<Matrix6> matrix;
   for (const int block : s.island.blocks) matrix.push_back(trial_.matrix[at(block)]);
   if (rests && held_ != Held::no && stand(s, matrix)) return;
-  if (s.unknowns->total != 3 * s.unknowns->blocks()) return;  // they strain
-  constexpr int many_unknowns = 10'000;                       // beyond, the first step takes too long
-  const bool begins = !state_.has_fallen;                     // what lies after a fall need not move exactly
+  constexpr int many_unknowns = 10'000;    // beyond, the first step takes too long
+  const bool begins = !state_.has_fallen;  // what lies after a fall need not move exactly
+  const bool strains = s.unknowns->total != 3 * s.unknowns->blocks();
   if (begins && s.unknowns->total > few_unknowns && s.unknowns->total <= many_unknowns) {
     go(s, matrix);
-  } else if (rests) {
+  } else if (rests && !strains) {
     moves_m_ = trial_.fall_m();
   }
 }

@@ -45,6 +45,17 @@ TEST_F(Verdicts, WhatMovesOnlyAfterABreachIsKeptApart) {
   const auto before = run(dam("duration_s = 20, rigid = \"all\", stop_at_failure = true"));
   EXPECT_EQ(before["failure"]["level_m"], summary["failure"]["level_m"]);
   EXPECT_FALSE(before.contains("breach"));
+  EXPECT_THAT(text("out"), Not(HasSubstr("BREACH")));
+}
+
+TEST_F(Verdicts, ARunMayEndAtABreach) {
+  const auto whole = run(dam("duration_s = 20, rigid = \"all\""));
+  EXPECT_THAT(text("out"), HasSubstr("where blocks come to rest is no answer (stop_at_breach ends it here)"));
+  const auto summary = run(dam("duration_s = 20, rigid = \"all\", stop_at_breach = true"));
+  EXPECT_EQ(summary["outcome"], "fails") << text("out");
+  EXPECT_EQ(summary["breach"]["time_s"], whole["breach"]["time_s"]);
+  EXPECT_THAT(text("out"), HasSubstr("from then on water would flow: the run ends here"));
+  EXPECT_NEAR(summary["simulated_s"], whole["breach"]["time_s"], 0.05);
 }
 
 }  // namespace

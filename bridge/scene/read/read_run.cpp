@@ -70,6 +70,7 @@ void read_analysis(Reading& reading) {
   table.number("rest_speed_m_per_s", a.rest_speed_m_per_s, positive());
   table.number("failure_displacement_m", a.failure_displacement_m, positive());
   table.flag("stop_at_failure", a.stop_at_failure);
+  table.flag("stop_at_breach", a.stop_at_breach);
   table.number("residual_tolerance", a.residual_tolerance, positive());
   table.flag("islands", a.islands);
   table.flag("sleep", a.sleep);

@@ -15,7 +15,7 @@ namespace blockweir::openfoam {
 namespace {
 
 constexpr int retries = 2;  // half cells further, where the first open cell is dry
-constexpr int columns = 7;  // of a PressureLine as numbers
+constexpr int columns = 8;  // of a PressureLine as numbers
 constexpr std::size_t row_length = SamplePoints::most * columns;
 
 void store(const PressureLine& line, double* row) {
@@ -27,6 +27,7 @@ void store(const PressureLine& line, double* row) {
   row[4] = line.slope;
   row[5] = line.centre.x();
   row[6] = line.centre.y();
+  row[7] = line.enclosed ? 1 : 0;
 }
 
 PressureLine load_line(const double* row) {
@@ -39,7 +40,26 @@ PressureLine load_line(const double* row) {
   line.at_zero = row[3] / n;
   line.slope = row[4] / n;
   line.centre = Point(row[5], row[6]) / n;
+  line.enclosed = row[7] > 0;
   return line;
+}
+
+/// Water in a pocket has a pressure between those of the water that is not enclosed: it seeps there.
+void bound_pockets(std::vector<double>& lines) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (std::size_t i = 0; i + columns <= lines.size(); i += columns) {
+    const PressureLine line = load_line(&lines[i]);
+    if (!line.found || !line.wet || line.enclosed) continue;
+    least = std::min(least, line.at_zero);
+    most = std::max(most, line.at_zero);
+  }
+  for (std::size_t i = 0; i + columns <= lines.size() && least <= most; i += columns) {
+    PressureLine line = load_line(&lines[i]);
+    if (!line.found || !line.enclosed) continue;
+    line.at_zero = std::clamp(line.at_zero, least, most);
+    store(line, &lines[i]);
+  }
 }
 
 /// Sums the samples of all ranks, each with its own cells; every rank gets the result.
@@ -68,7 +88,8 @@ void add_pressed(const EdgeElement& e, double share, double p_from, double p_to,
 
 }  // namespace
 
-EdgePressures::EdgePressures(const ImmersedBlocks& blocks, const WaterState& water) : blocks_(blocks), water_(water) {
+EdgePressures::EdgePressures(const ImmersedBlocks& blocks, const WaterState& water)
+    : blocks_(blocks), water_(water), pockets_(water.mesh(), blocks) {
   const Interface& scene = blocks.interface();
   rules_.cell_m = blocks.cell_m();
   rules_.open_crack_width_m = scene.open_crack_width_m;
@@ -116,7 +137,10 @@ std::vector<double> EdgePressures::look() const {
   double* row = lines.data();
   for (const SamplePoints& samples : targets_.samples) {
     for (int k = 0; k < samples.count; ++k) {
-      store(water_.line_at(samples.at[static_cast<std::size_t>(k)], samples.cut), row + k * columns);
+      const Point& at = samples.at[static_cast<std::size_t>(k)];
+      PressureLine line = water_.line_at(at, samples.cut);
+      line.enclosed = line.found && pockets_.hold(blocks_.locator().find(at));
+      store(line, row + k * columns);
     }
     row += row_length;
   }
@@ -147,10 +171,11 @@ void EdgePressures::add_open(const EdgeElement& element, std::size_t samples, co
   }
   if (!near.wet || near.slope <= 0) return;
   const double length = (element.to - element.from).norm();
-  wetted_.push_back({element.block, element.middle(), element.openness * length * element.normal,
-                     targets_.samples[samples].at[static_cast<std::size_t>(first)]});
+  if (!near.enclosed)
+    wetted_.push_back({element.block, element.middle(), element.openness * length * element.normal,
+                       targets_.samples[samples].at[static_cast<std::size_t>(first)]});
   double at_zero = near.at_zero;
-  if (near.whole && first + 2 < count) {
+  if (near.whole && !near.enclosed && first + 2 < count) {
     const PressureLine next = load_line(rows + (first + 2) * columns);
     const double d_near = element.normal.dot(near.centre - element.from);
     const double d_next = element.normal.dot(next.centre - element.from);
@@ -231,7 +256,9 @@ void EdgePressures::sample(JointFlow* flow, wire::Load& load) {
     find_targets();
     last_poses_ = blocks_.poses();
   }
-  const std::vector<double> lines = look();
+  pockets_.find();
+  std::vector<double> lines = look();
+  bound_pockets(lines);
   wire::clear_panels(load);
   wetted_.clear();
   for (std::size_t i = 0; i < targets_.elements.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "fluid/joints/uplift.hpp"
 #include "fluid/openfoam/plugin/joint_flow.hpp"
+#include "fluid/openfoam/plugin/pockets.hpp"
 #include "fluid/openfoam/plugin/water_state.hpp"
 #include "fluid/openfoam/sample_points.hpp"
 
@@ -41,6 +42,7 @@ class EdgePressures {
 
   const ImmersedBlocks& blocks_;
   const WaterState& water_;
+  Pockets pockets_;
   ElementRules rules_;
   Targets targets_;
   std::vector<Point> openings_;  ///< of cracks, alternately mouth and end

@@ -13,7 +13,8 @@ namespace blockweir::openfoam {
 struct PressureLine {
   bool found = false;  ///< this rank has a usable cell there
   bool wet = false;
-  bool whole = false;  ///< the cell is full of water, and no block reaches it
+  bool whole = false;     ///< the cell is full of water, and no block reaches it
+  bool enclosed = false;  ///< by blocks, with a few cells of water
   double at_zero = 0;
   double slope = 0;
   Point centre = Point::Zero();
@@ -29,6 +30,7 @@ class WaterState {
   /// water in the two cells below it, or, with a block just below, that of the film on the block.
   [[nodiscard]] PressureLine line_at(const Point& x, bool cut = false) const;
 
+  [[nodiscard]] const Foam::fvMesh& mesh() const { return mesh_; }
   [[nodiscard]] double water_density() const { return water_density_; }
   [[nodiscard]] double air_density() const { return air_density_; }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fluid/openfoam/plugin/pockets.hpp"
+
+#include <PstreamReduceOps.H>
+#include <regionSplit.H>
+
+#include <algorithm>
+
+namespace blockweir::openfoam {
+
+void Pockets::find() {
+  if (blocks_.cuts() == cuts_) return;
+  cuts_ = blocks_.cuts();
+  constexpr double open = 0.5;  // the least part of a cell that is blocked, as the added mass has it
+  constexpr double few = 0.01;  // of the cells that are connected with most others
+  const Foam::scalarField& filled = blocks_.filled();
+  Foam::boolList blocked(mesh_.nFaces(), false);
+  for (Foam::label f = 0; f < mesh_.nInternalFaces(); ++f) {
+    blocked[f] = filled[mesh_.owner()[f]] >= open || filled[mesh_.neighbour()[f]] >= open;
+  }
+  const Foam::volScalarField& share = blocks_.filled();
+  for (const Foam::fvPatchScalarField& patch : share.boundaryField()) {
+    if (!patch.coupled()) continue;
+    const Foam::scalarField beyond(patch.patchNeighbourField());
+    for (Foam::label i = 0; i < patch.size(); ++i) {
+      blocked[patch.patch().start() + i] = filled[patch.patch().faceCells()[i]] >= open || beyond[i] >= open;
+    }
+  }
+  const Foam::regionSplit regions(mesh_, blocked);
+  Foam::labelList cells(regions.nRegions(), 0);
+  for (Foam::label c = 0; c < mesh_.nCells(); ++c) ++cells[regions[c]];
+  Foam::Pstream::listCombineGather(cells, Foam::plusEqOp<Foam::label>());
+  Foam::Pstream::listCombineScatter(cells);
+  const Foam::label largest = *std::max_element(cells.begin(), cells.end());
+  enclosed_.assign(static_cast<std::size_t>(mesh_.nCells()), false);
+  for (Foam::label c = 0; c < mesh_.nCells(); ++c) {
+    enclosed_[static_cast<std::size_t>(c)] = cells[regions[c]] < few * static_cast<double>(largest);
+  }
+}
+
+}  // namespace blockweir::openfoam
