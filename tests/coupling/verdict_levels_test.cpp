@@ -126,7 +126,7 @@ upstream_level_m = { from = 6, rate_per_s = 0.3 }
     const auto& failure = summary["failure"];
     const auto uncertain = failure["level_uncertainty_m"].get<double>();
     EXPECT_NEAR(failure["level_m"].get<double>(), 10.8489, uncertain);
-    EXPECT_NEAR(uncertain, 0.009, 5e-4) << "the guide says so";
+    EXPECT_NEAR(uncertain, 0.008, 5e-4) << "the guide says so";
     EXPECT_FALSE(failure.contains("doubt")) << failure;
   }
 }

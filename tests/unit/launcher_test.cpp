@@ -2,9 +2,11 @@
 // The script ./blockweir where nothing is built yet: what needs no build is told without one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <string>
 
 #include "tests/own_folder.hpp"
@@ -66,6 +68,30 @@ TEST_F(Launcher, ACallThatWaitsForAnotherSaysSoAfterASecond) {
   };
   EXPECT_EQ(waited("0.7"), "");
   EXPECT_THAT(waited("4"), testing::HasSubstr("waiting for another ./blockweir that sets up"));
+}
+
+/// Another user's copy.
+TEST_F(Launcher, WhoMayNotWriteRunsWhatIsBuilt) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+  fs::permissions(folder, fs::perms::all);
+  fs::create_directories(folder / "build");
+  fs::permissions(folder / "build", fs::perms::owner_all | fs::perms::group_exec | fs::perms::others_exec);
+  const std::string as_nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups " + (folder / "blockweir").string();
+  const auto said = [&](const std::string& options) {
+    std::FILE* pipe = ::popen((as_nobody + " " + options + " 2>&1").c_str(), "r");
+    std::string text;
+    std::array<char, 4096> part;
+    while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe)) text.append(part.data(), read);
+    return text + (::pclose(pipe) == 0 ? "" : "failed\n");
+  };
+  EXPECT_THAT(said("check"), testing::MatchesRegex("blockweir: you may not write to .*/build, where the program is "
+                                                   "built; expected .*\nfailed\n"));
+  const fs::path built = folder / "build/release/bin/blockweir";
+  fs::create_directories(built.parent_path());
+  std::ofstream(built) << "#!/bin/sh\necho built \"$@\"\n";
+  fs::permissions(built, fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  EXPECT_EQ(said("check a.toml"), "built check a.toml\n");
+  EXPECT_THAT(said("test"), testing::EndsWith("failed\n"));
 }
 
 }  // namespace
