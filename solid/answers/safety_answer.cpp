@@ -98,7 +98,8 @@ void add_friction_history(const limit::LimitAnalysis& structure, const StaticStr
   answer["friction_history"] = fmt::format(
       "with strength over {:.4g} to {:.4g}, as far as these analyses found, some forces in the joints hold the "
       "structure and others do not; which come about depends on how it was loaded, so that the blocks' factor may jump "
-      "between these from one level, drain or bond to the next, and a run may fail below them; compare such measures by "
+      "between these from one level, drain or bond to the next, and a run may fail below them; compare such measures "
+      "by "
       "the factors of limit analysis",
       blocks.factor, bound.factor);
 }
