@@ -44,20 +44,21 @@ PressureLine load_line(const double* row) {
   return line;
 }
 
-/// Water in a pocket has a pressure between those of the water that is not enclosed: it seeps there.
+/// Water in a pocket, which seeps there, has a pressure in the middle half of those of the water that is not enclosed.
 void bound_pockets(std::vector<double>& lines) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
+  std::vector<double> open;
   for (std::size_t i = 0; i + columns <= lines.size(); i += columns) {
     const PressureLine line = load_line(&lines[i]);
-    if (!line.found || !line.wet || line.enclosed) continue;
-    least = std::min(least, line.at_zero);
-    most = std::max(most, line.at_zero);
+    if (line.found && line.wet && !line.enclosed) open.push_back(line.at_zero);
   }
-  for (std::size_t i = 0; i + columns <= lines.size() && least <= most; i += columns) {
+  if (open.empty()) return;
+  std::sort(open.begin(), open.end());
+  const double low = open[open.size() / 4];
+  const double high = open[open.size() - 1 - open.size() / 4];
+  for (std::size_t i = 0; i + columns <= lines.size(); i += columns) {
     PressureLine line = load_line(&lines[i]);
     if (!line.found || !line.enclosed) continue;
-    line.at_zero = std::clamp(line.at_zero, least, most);
+    line.at_zero = std::clamp(line.at_zero, low, std::max(low, high));
     store(line, &lines[i]);
   }
 }

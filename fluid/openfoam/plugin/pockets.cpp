@@ -12,7 +12,7 @@ void Pockets::find() {
   if (blocks_.cuts() == cuts_) return;
   cuts_ = blocks_.cuts();
   constexpr double open = 0.5;  // the least part of a cell that is blocked, as the added mass has it
-  constexpr double few = 0.01;  // of the cells that are connected with most others
+  constexpr double few = 0.05;  // of the cells that are connected with most others
   const Foam::scalarField& filled = blocks_.filled();
   Foam::boolList blocked(mesh_.nFaces(), false);
   for (Foam::label f = 0; f < mesh_.nInternalFaces(); ++f) {
@@ -29,12 +29,21 @@ void Pockets::find() {
   const Foam::regionSplit regions(mesh_, blocked);
   Foam::labelList cells(regions.nRegions(), 0);
   for (Foam::label c = 0; c < mesh_.nCells(); ++c) ++cells[regions[c]];
-  Foam::Pstream::listCombineGather(cells, Foam::plusEqOp<Foam::label>());
-  Foam::Pstream::listCombineScatter(cells);
+  Foam::labelList ways_out(regions.nRegions(), 0);
+  for (const Foam::fvPatchScalarField& p : mesh_.lookupObject<Foam::volScalarField>("p_rgh").boundaryField()) {
+    if (!p.fixesValue()) continue;
+    for (const Foam::label c : p.patch().faceCells()) ways_out[regions[c]] += filled[c] < open ? 1 : 0;
+  }
+  for (Foam::labelList* all : {&cells, &ways_out}) {
+    Foam::Pstream::listCombineGather(*all, Foam::plusEqOp<Foam::label>());
+    Foam::Pstream::listCombineScatter(*all);
+  }
   const Foam::label largest = *std::max_element(cells.begin(), cells.end());
   enclosed_.assign(static_cast<std::size_t>(mesh_.nCells()), false);
   for (Foam::label c = 0; c < mesh_.nCells(); ++c) {
-    enclosed_[static_cast<std::size_t>(c)] = cells[regions[c]] < few * static_cast<double>(largest);
+    const Foam::label region = regions[c];
+    enclosed_[static_cast<std::size_t>(c)] =
+        ways_out[region] == 0 && cells[region] < few * static_cast<double>(largest);
   }
 }
 
