@@ -9,6 +9,8 @@
 #include <surfaceFields.H>
 #include <zeroGradientFvPatchFields.H>
 
+#include "fluid/openfoam/positive_mass.hpp"
+
 namespace blockweir::openfoam {
 namespace {
 
@@ -110,7 +112,7 @@ std::array<double, 6> AddedMass::of_block(std::size_t b) {
     // Symmetric but for what the solver leaves.
     return 0.5 * (gSum(scalarField(answer[k] * source[j])) + gSum(scalarField(answer[j] * source[k])));
   };
-  return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  return positive_mass({entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)});
 }
 
 }  // namespace blockweir::openfoam
