@@ -64,9 +64,7 @@ struct Column {
     }
     scene::Scene all = test::collapse(text, duration_s, tilt() * 180 / std::numbers::pi, 45);
     all.analysis.start = scene::Start::equilibrium;
-    if (!rigid) {
-      for (scene::Block& block : all.blocks) block.rigid = false;
-    }
+    all.analysis.rigid = rigid ? scene::Rigid::all : scene::Rigid::none;
     return all;
   }
   /// Theta'' = g r / k^2 sin(theta - theta_0) about the toe, with a midpoint rule [rad].

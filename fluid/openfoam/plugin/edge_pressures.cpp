@@ -47,11 +47,13 @@ PressureLine load_line(const double* row) {
 /// Water in a pocket, which seeps there, has a pressure in the middle half of those of the water that is not enclosed.
 void bound_pockets(std::vector<double>& lines) {
   std::vector<double> open;
+  bool any = false;
   for (std::size_t i = 0; i + columns <= lines.size(); i += columns) {
     const PressureLine line = load_line(&lines[i]);
+    any = any || line.enclosed;
     if (line.found && line.wet && !line.enclosed) open.push_back(line.at_zero);
   }
-  if (open.empty()) return;
+  if (!any || open.empty()) return;
   std::sort(open.begin(), open.end());
   const double low = open[open.size() / 4];
   const double high = open[open.size() - 1 - open.size() / 4];

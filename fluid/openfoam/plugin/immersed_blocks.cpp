@@ -166,6 +166,7 @@ void ImmersedBlocks::clip(std::size_t b) {
 
 /// Summed again over all blocks: the result does not depend on the order or number of their movements.
 void ImmersedBlocks::fill() {
+  ++fills_;
   Foam::scalarField& filled = filled_.primitiveFieldRef();
   filled = 0;
   for (const auto& parts : parts_) {

@@ -40,6 +40,7 @@ class ImmersedBlocks {
   [[nodiscard]] const std::vector<Polygon>& outlines() const { return outlines_; }  ///< at the end of the step
   [[nodiscard]] const std::vector<Pose>& poses() const { return placed_; }          ///< of outlines()
   [[nodiscard]] const Foam::volScalarField& filled() const { return filled_; }      ///< share by all blocks, 0..1
+  [[nodiscard]] long fills() const { return fills_; }                               ///< how often filled() was made
   [[nodiscard]] const std::vector<Part>& parts(std::size_t block) const { return parts_[block]; }
   /// Mean velocity over the step [m/s] of the block's point that is at x at its end.
   [[nodiscard]] Point velocity(std::size_t block, const Point& x) const;
@@ -74,6 +75,7 @@ class ImmersedBlocks {
   Polygon moved_;
   std::vector<std::vector<Part>> parts_;
   PolygonClip clipper_;
+  long fills_ = 0;
   long cuts_ = 0;
   long skipped_cuts_ = 0;
   double cut_s_ = 0;

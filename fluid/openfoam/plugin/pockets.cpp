@@ -9,17 +9,16 @@
 namespace blockweir::openfoam {
 
 void Pockets::find() {
-  if (blocks_.cuts() == cuts_) return;
-  cuts_ = blocks_.cuts();
+  if (blocks_.fills() == fills_) return;
+  fills_ = blocks_.fills();
   constexpr double open = 0.5;  // the least part of a cell that is blocked, as the added mass has it
   constexpr double few = 0.05;  // of the cells that are connected with most others
-  const Foam::scalarField& filled = blocks_.filled();
+  const Foam::volScalarField& filled = blocks_.filled();
   Foam::boolList blocked(mesh_.nFaces(), false);
   for (Foam::label f = 0; f < mesh_.nInternalFaces(); ++f) {
     blocked[f] = filled[mesh_.owner()[f]] >= open || filled[mesh_.neighbour()[f]] >= open;
   }
-  const Foam::volScalarField& share = blocks_.filled();
-  for (const Foam::fvPatchScalarField& patch : share.boundaryField()) {
+  for (const Foam::fvPatchScalarField& patch : filled.boundaryField()) {
     if (!patch.coupled()) continue;
     const Foam::scalarField beyond(patch.patchNeighbourField());
     for (Foam::label i = 0; i < patch.size(); ++i) {

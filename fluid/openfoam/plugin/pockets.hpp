@@ -20,7 +20,7 @@ class Pockets {
  private:
   const Foam::fvMesh& mesh_;
   const ImmersedBlocks& blocks_;
-  long cuts_ = -1;
+  long fills_ = -1;
   std::vector<bool> enclosed_;
 };
 
