@@ -74,7 +74,7 @@ TEST(ForceRule, HoldsForRandomPoints) {
     // As steep as friction may be before a point jams.
     const double most = 0.9 * W(0, 0) / (std::abs(W(0, 1)) + 1e-12);
     const ForceRule rule{.friction = std::min(2.0, most) * share(random), .cohesion = share(random) < 0.5 ? 0 : 0.3};
-    const Eigen::Vector2d without(any(random), any(random));
+    const Eigen::Vector2d without{any(random), any(random)};
     const auto [force, slips, exact] = forces_of(rule, W, without);
     const Eigen::Vector2d apart = without + W * force;
     const double round_off = 1e-9 * (1 + without.norm());

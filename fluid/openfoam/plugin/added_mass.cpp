@@ -77,6 +77,15 @@ std::array<Foam::scalarField, 3> AddedMass::sources(std::size_t b) const {
   return source;
 }
 
+/// From the centroid to the farthest corner [m].
+double AddedMass::reach(std::size_t b) const {
+  const Pose& pose = blocks_.poses()[b];
+  const Point centroid = blocks_.interface().blocks[b].centroid + Point(pose[0], pose[1]);
+  double farthest = 0;
+  for (const Point& corner : blocks_.outlines()[b]) farthest = std::max(farthest, (corner - centroid).norm());
+  return farthest;
+}
+
 std::array<double, 6> AddedMass::of_block(std::size_t b) {
   using namespace Foam;
   const std::array<scalarField, 3> source = sources(b);
@@ -112,7 +121,8 @@ std::array<double, 6> AddedMass::of_block(std::size_t b) {
     // Symmetric but for what the solver leaves.
     return 0.5 * (gSum(scalarField(answer[k] * source[j])) + gSum(scalarField(answer[j] * source[k])));
   };
-  return positive_mass({entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)});
+  const std::array<double, 6> row{entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
+  return positive_mass(row, reach(b));
 }
 
 }  // namespace blockweir::openfoam

@@ -29,6 +29,7 @@ class AddedMass {
 
  private:
   [[nodiscard]] bool stale() const;
+  [[nodiscard]] double reach(std::size_t block) const;
   [[nodiscard]] std::array<double, 6> of_block(std::size_t block);
   [[nodiscard]] std::array<Foam::scalarField, 3> sources(std::size_t block) const;
   [[nodiscard]] Foam::wordList pressure_patches() const;
