@@ -54,7 +54,7 @@ std::vector<bool> held_by_themselves(const Scene& scene) {
   return held;
 }
 
-std::vector<int> loose_blocks(const Scene& scene) {
+std::vector<int> blocks_not_held(const Scene& scene) {
   if (scene.analysis.gravity_m_per_s2 == 0) return {};
   const Reach reach{1e-6 * structure_size_m(scene.blocks), scene.analysis.failure_displacement_m,
                     scene.analysis.gravity().normalized()};
@@ -86,11 +86,16 @@ std::vector<int> loose_blocks(const Scene& scene) {
     }
   }
   std::vector<int> loose;
-  bool any_stands = false;
   for (std::size_t b = 0; b < held.size(); ++b) {
     if (!held[b]) loose.push_back(static_cast<int>(b));
-    any_stands = any_stands || (held[b] && !scene.blocks[b].fixed);
   }
+  return loose;
+}
+
+std::vector<int> loose_blocks(const Scene& scene) {
+  std::vector<int> loose = blocks_not_held(scene);
+  const auto fixed = std::count_if(scene.blocks.begin(), scene.blocks.end(), [](const Block& b) { return b.fixed; });
+  const bool any_stands = loose.size() + static_cast<std::size_t>(fixed) < scene.blocks.size();
   return any_stands ? loose : std::vector<int>();
 }
 

@@ -15,8 +15,10 @@ std::vector<bool> held_by_themselves(const Scene& scene);
 
 /// Those that neither touch a held block, directly or through others, nor are held themselves: by being fixed, by a
 /// support, a bolt to the ground, a viscous boundary, or by water that is heavier. Blocks touch within the failure
-/// displacement, but over a gap beside them, which does not hold them. Empty without gravity, and where nothing that
-/// can move is held: a scene that only falls is judged.
+/// displacement, but over a gap beside them, which does not hold them. Empty without gravity.
+std::vector<int> blocks_not_held(const Scene& scene);
+
+/// The same, but empty where nothing that can move is held: a scene that only falls is judged.
 std::vector<int> loose_blocks(const Scene& scene);
 
 /// "2 blocks ("a" and "b") fall from the start"; of many the first few.

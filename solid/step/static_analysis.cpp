@@ -74,8 +74,10 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s, 
 void StaticAnalysis::find_rest(const std::vector<Panel>& water, double at_s, const Search& search) {
   constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
   constexpr double brief = 1e-3;     // the same: inertia then keeps what is swept from another state of rest
+  constexpr int few_blocks = 10;     // Newton's method finds their states, or they fail
   const double longest = model_.pseudo_step_s();
   const StepMode still{.scheme = {.damps = false}};
+  const bool many_states = std::count(trial_.frozen.begin(), trial_.frozen.end(), false) > few_blocks;
   const double before_m = state_.largest_displacement_m(model_);
   const double slipped_m = state_.largest_slip_m();
   const double far_m = model_.scene.analysis.failure_displacement_m;
@@ -86,8 +88,9 @@ void StaticAnalysis::find_rest(const std::vector<Panel>& water, double at_s, con
     state_.stop();
     const Stretch stretch{dt, at_s, water};
     Outcome outcome = methods_.try_all(stretch, still);
-    if (outcome == Outcome::not_found && dt < brief * longest) {
-      outcome = time_step_.attempt(stretch, still.with_sweeps());  // a bond is about to break
+    // A bond is about to break, or there are too many states to find some among: sweeps come near.
+    if (outcome == Outcome::not_found && (many_states || dt < brief * longest)) {
+      outcome = time_step_.attempt(stretch, still.with_sweeps());
     }
     if (outcome != Outcome::made) {
       if (dt == failed) as_long.failed();

@@ -71,8 +71,10 @@ Found SweptEquilibrium::find(IslandEquations& s, const StepMode& mode) {
     if (!few) exact ? state_.finish.succeeded() : state_.finish.failed();
     if (exact) return Found::by_newton_after_sweeps;
   }
-  // Off by more than a fall through the step, a structure that stands would be thrown.
-  if (left_m > trial_.fall_m() && !mode.roughly && !trial_.falls()) return Found::nothing;
+  // Off by more than a fall through the step, a structure that stands would be thrown; statics would take it for slip.
+  constexpr double of_statics = 1e-6;  // of the size
+  const double most_m = mode.in_motion() ? trial_.fall_m() : std::min(trial_.fall_m(), of_statics * model_.size_m);
+  if (left_m > most_m && !mode.roughly && !trial_.falls()) return Found::nothing;
   s.left_m = left_m;
   if (near || broken) take_forces(s);  // else they act
   s.balance_alone();

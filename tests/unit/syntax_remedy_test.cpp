@@ -10,6 +10,7 @@
 
 #include "bridge/scene/read/syntax_remedy.hpp"
 #include "tests/samples.hpp"
+#include "tests/unit/scene_sample.hpp"
 
 namespace blockweir::scene::syntax_remedy_test {
 namespace {

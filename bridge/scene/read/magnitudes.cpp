@@ -262,6 +262,7 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
   check_proportions(file, scene, problems);
   check_levels(file, scene, problems);
   check_gaps(scene, problems);
+  check_hovering(scene, problems);
   check_corner_stands(scene, problems);
   check_crumbs(scene, problems);
 }
