@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::size_t kept = 2;
-constexpr int format = 15;
+constexpr int format = 16;
 
 std::uint64_t checksum(const std::string& bytes) {
   return wire::checksum(bytes.data(), bytes.size());

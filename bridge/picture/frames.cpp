@@ -20,9 +20,10 @@ std::vector<json> read_frames(const std::filesystem::path& run) {
     if (frame.is_object()) frames.push_back(std::move(frame));  // a killed run may leave half a line
   }
   if (frames.empty())
-    throw std::invalid_argument(fmt::format(
-        "{}: found no such file, or an empty one; expected the folder of a run that has begun; name that folder",
-        file.string()));
+    throw std::invalid_argument(
+        fmt::format("{}: found no such file, an empty one, or one that you may not read; expected the folder of a run "
+                    "that has begun; name that folder",
+                    file.string()));
   return frames;
 }
 

@@ -17,9 +17,10 @@ History::History(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line)) {
-    throw std::invalid_argument(fmt::format(
-        "{}: found no such file, or an empty one; expected the folder of a run that has begun; name that folder",
-        file.string()));
+    throw std::invalid_argument(
+        fmt::format("{}: found no such file, an empty one, or one that you may not read; expected the folder of a run "
+                    "that has begun; name that folder",
+                    file.string()));
   }
   names_ = results::csv_cells(line);
   for (std::size_t i = 0; i < names_.size(); ++i) index_.emplace(names_[i], i);

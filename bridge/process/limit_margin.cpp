@@ -14,7 +14,18 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string text_of(const json& found, bool fails) {
+/// Why a factor is above 1 although the structure fails: it failed under a higher level than the scene's last, or the
+/// factor is an upper bound.
+std::string why_above_1(const json& found, const json& summary) {
+  const json level_m = summary.value("failure", json::object()).value("level_m", json());
+  if (found["level_m"].is_number() && level_m.is_number() && found["level_m"] < level_m) {
+    return fmt::format("; above 1, as that is the scene's last level: it failed at {:.4g} m", level_m.get<double>());
+  }
+  return "; above 1 although it fails, as an upper bound may be";
+}
+
+std::string text_of(const json& found, const json& summary) {
+  const bool fails = summary["outcome"] == "fails";
   const std::string level =
       found["level_m"].is_number() ? fmt::format(" at a level of {:.6g} m", found["level_m"].get<double>()) : "";
   const std::string note = found.contains("limit_analysis_note") && found.contains("mechanism")
@@ -25,11 +36,11 @@ std::string text_of(const json& found, bool fails) {
   if (found["factor"].is_number()) {
     const double factor = found["factor"];
     const bool any_forces = !fails && found.value("stands_by_any_forces", false);
-    const char* mind = fails && factor >= 1 ? "; above 1 although it fails, as an upper bound may be"
-                       : any_forces
-                           ? "; so many rigid blocks stand as long as any forces in the joints hold them, and strain "
-                             "may find others: \"blockweir safety\" asks"
-                           : "";
+    const std::string mind =
+        fails && factor >= 1 ? why_above_1(found, summary)
+        : any_forces         ? "; so many rigid blocks stand as long as any forces in the joints hold them, and strain "
+                               "may find others: \"blockweir safety\" asks"
+                             : "";
     return fmt::format("{}{:.4g} on the strength of the joints{}: {}{}", bound, factor, level, how(), mind);
   }
   if (!fails && found.value("holds_nothing", false)) {
@@ -110,7 +121,7 @@ void LimitMargin::add_to(json& summary) const {
     found = {
         {"factor", nullptr}, {"level_m", nullptr}, {"why_no_factor", why.empty() ? "limit analysis was stopped" : why}};
   }
-  found["text"] = text_of(found, outcome == "fails");
+  found["text"] = text_of(found, summary);
   for (const json& warning : found.value("warnings", json::array())) summary["warnings"].push_back(warning);
   if (const std::string doubt = doubt_of(found, summary.value("last_levels_acted", true));
       outcome == "stands" && !doubt.empty()) {

@@ -53,7 +53,7 @@ std::vector<double> element_ends(double from_m, double length_m, const joints::P
   return shares;
 }
 
-/// Is no place of one face within a tenth of the piece's length of the other?
+/// Is no place of one face within a tenth of the piece's length of the other's edge, along which it may have slid?
 bool faces_are_apart(const scene::CrackPart& part, const scene::TracePiece& piece,
                      const std::vector<std::vector<Point>>& outlines) {
   constexpr double far = 0.1;
@@ -61,13 +61,14 @@ bool faces_are_apart(const scene::CrackPart& part, const scene::TracePiece& piec
     const std::vector<Point>& outline = outlines[at(block)];
     return outline[at(edge)] + s * (outline[(at(edge) + 1) % outline.size()] - outline[at(edge)]);
   };
-  const Point a[] = {place(part.block_a, piece.edge_a, piece.s_from_a),
-                     place(part.block_a, piece.edge_a, piece.s_to_a)};
-  const Point b[] = {place(part.block_b, piece.edge_b, piece.s_from_b),
-                     place(part.block_b, piece.edge_b, piece.s_to_b)};
+  const auto to_edge = [&](const Point& p, int block, int edge) {
+    return geometry::distance_to_segment(p, place(block, edge, 0), place(block, edge, 1));
+  };
   const double least_m =
-      std::min({geometry::distance_to_segment(a[0], b[0], b[1]), geometry::distance_to_segment(a[1], b[0], b[1]),
-                geometry::distance_to_segment(b[0], a[0], a[1]), geometry::distance_to_segment(b[1], a[0], a[1])});
+      std::min({to_edge(place(part.block_a, piece.edge_a, piece.s_from_a), part.block_b, piece.edge_b),
+                to_edge(place(part.block_a, piece.edge_a, piece.s_to_a), part.block_b, piece.edge_b),
+                to_edge(place(part.block_b, piece.edge_b, piece.s_from_b), part.block_a, piece.edge_a),
+                to_edge(place(part.block_b, piece.edge_b, piece.s_to_b), part.block_a, piece.edge_a)});
   return least_m > far * (piece.to_m - piece.from_m).norm();
 }
 

@@ -119,7 +119,8 @@ void add_forces(const std::vector<WaterPart>& parts, const Solid& blocks, const 
   answer["joint_parts"] = parts_json(joint_parts_of(blocks, water, reduction, answer));
   answer["bent_joints"] = bent_joints(blocks);
   answer["bolts"] = bolts_json(blocks);
-  for (std::string& warning : uplift_warnings(blocks.scene(), water, table))
+  for (std::string& warning :
+       uplift_warnings(blocks.scene(), {water.upstream_level_m, water.downstream_level_m}, table))
     answer["warnings"].push_back(std::move(warning));
 }
 

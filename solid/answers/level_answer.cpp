@@ -178,8 +178,8 @@ json level_answer(const scene::Scene& scene, const FluidMaker& make_fluid) {
   answer["warnings"] = water.warnings();
   solid::add_motion_left_out(scene, answer);
   solid::add_moved_supports(scene, answer);
-  if (levels.blocks.value && !levels.blocks.value->warning.empty()) {
-    answer["warnings"].push_back(levels.blocks.value->warning);
+  if (levels.blocks.value) {
+    for (const std::string& warning : levels.blocks.value->warnings) answer["warnings"].push_back(warning);
   }
   if (levels.blocks.value && levels.blocks.value->outcome != Filled::does_not_stand_empty) {
     const std::string crest = solid::output::water_on_crest_warning(scene, levels.blocks.value->level_m);

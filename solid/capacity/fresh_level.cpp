@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "solid/capacity/static_blocks.hpp"
-#include "solid/watch/edge_tension.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -91,10 +89,7 @@ class FreshSearch {
 
   void warn() {
     StaticBlocks blocks(scene_, &water_, effort_);
-    if (!blocks.begin(found_.stands_m)) return;
-    EdgeTension edge;
-    edge.look(blocks.solid(), std::numeric_limits<double>::quiet_NaN(), found_.stands_m);
-    found_.warning = edge.warning();
+    if (blocks.begin(found_.stands_m)) found_.warnings = blocks.warnings(found_.stands_m);
   }
 
   const scene::Scene& scene_;

@@ -17,9 +17,9 @@ namespace blockweir::solid {
 struct FreshLevel {
   double stands_m = 0;
   double fails_m = 0;
-  std::optional<Failure> failure;  ///< none if the mode was not found
-  std::string warning;             ///< about the blocks at stands_m; empty: none
-  std::string stopped;             ///< why the bracket is not narrower; empty if it is narrow enough
+  std::optional<Failure> failure;     ///< none if the mode was not found
+  std::vector<std::string> warnings;  ///< about the blocks at stands_m
+  std::string stopped;                ///< why the bracket is not narrower; empty if it is narrow enough
 };
 
 /// None if all of these levels are stable, which costs one analysis each. Otherwise the level is below the lowest one

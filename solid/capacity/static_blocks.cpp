@@ -5,7 +5,9 @@
 
 #include "bridge/checkpoint/archive.hpp"
 #include "solid/solve/islands.hpp"
+#include "solid/watch/edge_tension.hpp"
 #include "solid/watch/make_frame.hpp"
+#include "solid/watch/uplift_in_tension.hpp"
 
 namespace blockweir::solid {
 namespace {
@@ -121,6 +123,17 @@ Levels StaticBlocks::levels(double level_m) {
   if (water_ == nullptr) return {};
   const wire::Load& load = pressures(level_m);
   return {load.upstream_level_m, load.downstream_level_m};
+}
+
+std::vector<std::string> StaticBlocks::warnings(double level_m) {
+  EdgeTension edge;
+  edge.look(solid_, std::numeric_limits<double>::quiet_NaN(), level_m);
+  OpenedJoints opened;
+  const Surfaces surfaces(solid_);
+  opened.look(surfaces, surface_sums(solid_, surfaces), levels(level_m));
+  std::vector<std::string> warnings{edge.warning(), opened.warning(scene_)};
+  std::erase(warnings, "");
+  return warnings;
 }
 
 }  // namespace blockweir::solid

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "solid/capacity/search_budget.hpp"
 #include "solid/capacity/still_water.hpp"
@@ -51,6 +52,8 @@ class StaticBlocks {
   /// Pressures on the blocks at their present positions; empty without water.
   const wire::Load& pressures(double level_m);
   Levels levels(double level_m);
+  /// About what holds them under that level, at which they rest.
+  [[nodiscard]] std::vector<std::string> warnings(double level_m);
 
  private:
   scene::Scene scene_;  ///< modified for these analyses

@@ -9,18 +9,10 @@
 
 #include "solid/capacity/fresh_level.hpp"
 #include "solid/capacity/static_blocks.hpp"
-#include "solid/watch/edge_tension.hpp"
 #include "solid/watch/slipped_body.hpp"
 
 namespace blockweir::solid {
 namespace {
-
-std::string warning_of(StaticBlocks& blocks, const std::string& resting, double level_m) {
-  blocks.restore(resting);
-  EdgeTension edge;
-  edge.look(blocks.solid(), std::numeric_limits<double>::quiet_NaN(), level_m);
-  return edge.warning();
-}
 
 class LevelSearch {
  public:
@@ -68,7 +60,8 @@ class LevelSearch {
       do {
         narrow();
       } while (has_bracket() && stands_beyond(found));
-      found.warning = warning_of(blocks_, resting_, rests_m_);
+      blocks_.restore(resting_);
+      found.warnings = blocks_.warnings(rests_m_);
     } catch (const TookTooLong& stopped) {
       if (!has_bracket() && rests_m_ < full_m_) throw;
       if (fails_m_ - rests_m_ > width_m_) found.stopped = stopped.what();
@@ -101,7 +94,7 @@ class LevelSearch {
     found.width_m = fresh->fails_m - fresh->stands_m;
     found.failure = fresh->failure;
     found.stopped = fresh->stopped;
-    found.warning = fresh->warning;
+    found.warnings = fresh->warnings;
   }
 
   [[nodiscard]] bool has_bracket() const { return fails_m_ <= full_m_; }

@@ -14,13 +14,13 @@ namespace blockweir::solid {
 
 struct StaticLevel {
   limit::Filled outcome = limit::Filled::does_not_stand_empty;
-  double level_m = 0;               ///< at failure, the middle of the bracket; without failure, the full reservoir
-  double width_m = 0;               ///< of the bracket
-  std::optional<Failure> failure;   ///< none if the mode was not found
-  bool slips_add_up = false;        ///< failure by the sum of many slips: no continuous motion was found
-  std::optional<double> settles_m;  ///< the lowest level, if any, at which blocks slip a little and come to rest
-  std::string stopped;              ///< why the bracket is not narrower; empty if it is narrow enough
-  std::string warning;              ///< about the blocks at the highest level at which they rest; empty: none
+  double level_m = 0;                 ///< at failure, the middle of the bracket; without failure, the full reservoir
+  double width_m = 0;                 ///< of the bracket
+  std::optional<Failure> failure;     ///< none if the mode was not found
+  bool slips_add_up = false;          ///< failure by the sum of many slips: no continuous motion was found
+  std::optional<double> settles_m;    ///< the lowest level, if any, at which blocks slip a little and come to rest
+  std::string stopped;                ///< why the bracket is not narrower; empty if it is narrow enough
+  std::vector<std::string> warnings;  ///< about the blocks at the highest level at which they rest
   /// Result of a slowly rising level, where a lower level fails with all loads at once; level_m is the lower one.
   struct SlowRise {
     limit::Filled outcome;

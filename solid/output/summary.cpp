@@ -99,7 +99,8 @@ void add_warnings(const expect::Outcome& outcome, json& warnings) {
        {outcome.energy.warning(outcome.solid), residual_warning(scene, outcome.solid.counts()),
         penetration_warning(outcome), outcome.edge_tension.warning(), outcome.strain.warning(outcome.solid),
         new_contacts_warning(outcome), pressing_corners_warning(outcome), water_on_crest_warning(outcome),
-        held_level_warning(outcome), outcome.added_mass.warning(scene), outcome.interface_energy.warning()}) {
+        held_level_warning(outcome), outcome.margins.opened().warning(scene), outcome.added_mass.warning(scene),
+        outcome.interface_energy.warning()}) {
     if (!warning.empty()) warnings.push_back(warning);
   }
 }

@@ -155,7 +155,7 @@ void CoupledSolid::observe(const wire::Load& load, double time_s) {
   // A static analysis iterates to equilibrium beyond the initial state, which is only close to it.
   const bool sought = solid_.scene().analysis.kind != scene::AnalysisKind::at_rest || time_s > 0;
   if (failure_.failures().empty() && sought) {
-    margins_.look(solid_, time_s, levels.higher_m());
+    margins_.look(solid_, time_s, levels);
     edge_tension_.look(solid_, time_s, levels.higher_m());
   }
   acceleration_.add(time_s, solid_.states(), solid_.model().base.displacement(time_s));

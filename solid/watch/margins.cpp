@@ -26,9 +26,12 @@ std::string holder(const Solid& solid, const SurfaceSum& sum) {
 
 }  // namespace
 
-void Margins::look(const Solid& solid, double time_s, double level_m) {
+void Margins::look(const Solid& solid, double time_s, const Levels& levels) {
+  const double level_m = levels.higher_m();
   if (!surfaces_) surfaces_.emplace(solid);
   const std::vector<SurfaceSum> sums = surface_sums(solid, *surfaces_);
+  // While the ground shakes, water has no time to fill a crack.
+  if (!solid.scene().base_motion) opened_.look(*surfaces_, sums, levels);
   sliding_now_.reset();
   for (std::size_t i = 0; i < sums.size(); ++i) {
     if (!sums[i].bears(surfaces_->weights()[i])) continue;

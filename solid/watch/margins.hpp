@@ -7,6 +7,7 @@
 
 #include "solid/step/solid.hpp"
 #include "solid/watch/surfaces.hpp"
+#include "solid/watch/uplift_in_tension.hpp"
 
 namespace blockweir::solid {
 
@@ -28,8 +29,8 @@ struct Margin {
 
 class Margins {
  public:
-  /// Evaluates the state at `time_s`, reached under this level of the higher pool.
-  void look(const Solid& solid, double time_s, double level_m);
+  /// Evaluates the state at `time_s`, reached under these levels.
+  void look(const Solid& solid, double time_s, const Levels& levels);
 
   /// Lowest ratio of shear strength to shear force. None if no surface carries shear, or all that do are buttressed.
   [[nodiscard]] const std::optional<Margin>& sliding() const { return sliding_; }
@@ -44,13 +45,17 @@ class Margins {
   /// Whether some surface runs through the structure.
   [[nodiscard]] bool any_surface() const { return surfaces_ && !surfaces_->names().empty(); }
 
+  /// Joints in tension whose uplift takes them to be closed.
+  [[nodiscard]] const OpenedJoints& opened() const { return opened_; }
+
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(surfaces_, sliding_, sliding_now_, overturning_, buttressed_);
+    archive(surfaces_, opened_, sliding_, sliding_now_, overturning_, buttressed_);
   }
 
  private:
   std::optional<Surfaces> surfaces_;  ///< of the first evaluation
+  OpenedJoints opened_;
   std::optional<Margin> sliding_;
   std::optional<Margin> sliding_now_;
   std::optional<Margin> overturning_;

@@ -15,11 +15,19 @@ namespace {
 using scene::Crack;
 using scene::Uplift;
 
-/// Blocks have strained a little where the row was made.
-bool is_of(const JointRow& row, const Crack& crack) {
+constexpr double seen = 1e-2;  // of a joint's length
+
+struct Ends {
+  Point upstream_m;
+  Point downstream_m;
+};
+
+/// Blocks have strained a little where the ends are from.
+bool are_of(const Ends& ends, const Crack& crack) {
   constexpr double strained = 1e-2;
-  const double off_m = strained * row.length_m;
-  return std::abs(crack.length_m - row.length_m) < off_m && (crack.end() - row.downstream_end_m).norm() < off_m;
+  const double length_m = (ends.downstream_m - ends.upstream_m).norm();
+  const double off_m = strained * length_m;
+  return std::abs(crack.length_m - length_m) < off_m && (crack.end() - ends.downstream_m).norm() < off_m;
 }
 
 /// How such a law treats a crack; nullptr for those that follow it, or have the full pressure anyway.
@@ -39,46 +47,91 @@ const char* makes_of_a_crack(Uplift law) {
   }
 }
 
-/// The law of a row's water, where all of the row or the joint at its upstream end has one of those above.
-std::optional<Uplift> law_of(const scene::Scene& scene, const std::vector<Crack>& cracks, const JointRow& row) {
-  const auto crack = std::find_if(cracks.begin(), cracks.end(), [&](const Crack& c) { return is_of(row, c); });
+/// The law of the water between these ends, where all of the joint or that at its upstream end has one of those above.
+std::optional<Uplift> law_of(const scene::Scene& scene, const std::vector<Crack>& cracks, const Ends& ends) {
+  const auto crack = std::find_if(cracks.begin(), cracks.end(), [&](const Crack& c) { return are_of(ends, c); });
   if (crack != cracks.end()) return crack->law;
   constexpr double strained = 1e-2;
+  const double near_m = strained * (ends.downstream_m - ends.upstream_m).norm();
   for (const Uplift law : {Uplift::flow, Uplift::none}) {
     for (const Crack& joint : scene::find_joints(scene, law)) {
       for (const Point& end : {joint.mouth(), joint.end()}) {
-        if ((end - row.upstream_end_m).norm() < strained * row.length_m) return law;
+        if ((end - ends.upstream_m).norm() < near_m) return law;
       }
     }
   }
   return std::nullopt;
 }
 
-/// Whether water stands at the end that opens, the one farther from the resultant: else there is air in the crack.
-bool reaches_the_mouth(const wire::Load& water, const JointRow& row) {
-  const bool at_heel = row.resultant_from_downstream < 0.5;
-  return at_heel ? row.upstream_end_m.y() < water.upstream_level_m
-                 : row.downstream_end_m.y() < water.downstream_level_m;
+/// The level of the pool at the end that opens, the one farther from the resultant; none: there is air in the crack.
+std::optional<double> level_at_the_mouth(const Levels& levels, const Ends& ends, double resultant_from_downstream) {
+  const bool at_heel = resultant_from_downstream < 0.5;
+  const double level_m = levels.of(!at_heel);
+  if ((at_heel ? ends.upstream_m : ends.downstream_m).y() < level_m) return level_m;
+  return std::nullopt;
+}
+
+std::string words(const std::string& joint, const std::string& when, double share, Uplift law) {
+  return fmt::format(
+      "joint \"{}\" is in tension{} over {:.3g} % of its length, by the gravity method, and uplift = \"{}\" {}; water "
+      "in a crack has the full pressure of its mouth: state uplift = \"cracked\"",
+      joint, when, 100 * share, scene::named(law).name, makes_of_a_crack(law));
 }
 
 }  // namespace
 
-std::vector<std::string> uplift_warnings(const scene::Scene& scene, const wire::Load& water,
+std::vector<std::string> uplift_warnings(const scene::Scene& scene, const Levels& levels,
                                          const std::vector<JointRow>& rows) {
-  constexpr double seen = 1e-2;
   std::vector<std::string> warnings;
   const std::vector<Crack> cracks = scene::find_cracks(scene);
   for (const JointRow& row : rows) {
     if (row.cracked_length_m <= seen * row.faces_length_m) continue;
-    const auto law = law_of(scene, cracks, row);
-    const char* makes = law ? makes_of_a_crack(*law) : nullptr;
-    if (makes == nullptr || !reaches_the_mouth(water, row)) continue;
-    warnings.push_back(
-        fmt::format("joint \"{}\" is in tension over {:.3g} % of its length, by the gravity method, and uplift = "
-                    "\"{}\" {}; water in a crack has the full pressure of its mouth: state uplift = \"cracked\"",
-                    row.name, 100 * row.cracked_length_m / row.faces_length_m, scene::named(*law).name, makes));
+    const Ends ends{row.upstream_end_m, row.downstream_end_m};
+    const auto law = law_of(scene, cracks, ends);
+    if (!law || makes_of_a_crack(*law) == nullptr) continue;
+    if (!level_at_the_mouth(levels, ends, *row.resultant_from_downstream)) continue;
+    warnings.push_back(words(row.name, "", row.cracked_length_m / row.faces_length_m, *law));
   }
   return warnings;
+}
+
+void OpenedJoints::look(const Surfaces& surfaces, const std::vector<SurfaceSum>& sums, const Levels& levels) {
+  opened_.resize(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const SurfaceSum& sum = sums[i];
+    if (!sum.bears(surfaces.weights()[i]) || !sum.is_pressed()) continue;
+    const double share = std::min(1.0, 1 - 3 * sum.end_distance());
+    Opened& opened = opened_[i];
+    if (share <= std::max(seen, opened.share)) continue;
+    const auto level_m =
+        level_at_the_mouth(levels, {sum.upstream_end(), sum.downstream_end()}, sum.resultant_from_downstream());
+    if (!level_m) continue;
+    const double from_m = opened.share > 0 ? opened.from_level_m : *level_m;
+    opened = {surfaces.names()[i], sum.upstream_end(), sum.downstream_end(), from_m, *level_m, share};
+  }
+}
+
+std::string OpenedJoints::warning(const scene::Scene& scene) const {
+  const std::vector<Crack> cracks = scene::find_cracks(scene);
+  const Opened* worst = nullptr;
+  Uplift its_law{};
+  int others = -1;
+  for (const Opened& opened : opened_) {
+    if (opened.share == 0) continue;
+    const auto law = law_of(scene, cracks, {opened.upstream_end_m, opened.downstream_end_m});
+    if (!law || makes_of_a_crack(*law) == nullptr) continue;
+    ++others;
+    if (worst != nullptr && worst->share >= opened.share) continue;
+    worst = &opened;
+    its_law = *law;
+  }
+  if (worst == nullptr) return {};
+  const std::string when =
+      worst->from_level_m == worst->worst_level_m
+          ? fmt::format(" at a level of {:.4g} m", worst->worst_level_m)
+          : fmt::format(" from a level of {:.4g} m on, at {:.4g} m", worst->from_level_m, worst->worst_level_m);
+  return words(worst->name, when, worst->share, its_law) +
+         (others > 0 ? fmt::format("; so {} {} more", others == 1 ? "is" : "are", others) : "");
 }
 
 }  // namespace blockweir::solid

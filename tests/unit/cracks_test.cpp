@@ -80,6 +80,9 @@ TEST(Cracks, HaveNoWaterWhereTheirFacesHaveLeftEachOther) {
   EXPECT_EQ(panels({0, 0.39}, 0), 2U) << "less than a tenth of the joint";
   EXPECT_EQ(panels({0, 0.41}, 0), 0U);
   EXPECT_EQ(panels({3, 0}, 0), 2U) << "it slides";
+  EXPECT_EQ(panels({4.9, 0}, 0), 2U) << "it has left its joint, and slides on along the same face";
+  EXPECT_EQ(panels({9.3, 0}, 0), 2U) << "on the ground's corner";
+  EXPECT_EQ(panels({9.5, 0}, 0), 0U);
   EXPECT_EQ(panels({0, 0}, -0.5), 2U) << "it turns about its toe";
   EXPECT_EQ(panels({20, 3}, -0.5), 0U);
 }

@@ -57,6 +57,15 @@ TEST_F(Launcher, TheVersionNeedsNoBuild) {
   EXPECT_FALSE(fs::exists(folder / "build"));
 }
 
+/// It configured the caller's folder.
+TEST_F(Launcher, ALinkToItFindsItsTree) {
+  fs::create_directories(folder / "bin");
+  fs::create_symlink(folder / "blockweir", folder / "bin/dams");
+  const Said linked = said("cd " + (folder / "bin").string() + " && ./dams --version");
+  EXPECT_EQ(linked.status, 0);
+  EXPECT_EQ(linked.text, output_of("--version"));
+}
+
 TEST_F(Launcher, HelpOnTheTestsIsItsOwn) {
   EXPECT_THAT(output_of("test --help"), testing::HasSubstr("test       set up, build and run every test"));
   EXPECT_FALSE(fs::exists(folder / "build"));

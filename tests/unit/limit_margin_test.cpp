@@ -51,6 +51,24 @@ TEST(LimitMargin, OtherwiseTheFactorIsToldAlone) {
   }
 }
 
+/// A level that rises and falls again ends below the one that brought the structure down.
+TEST(LimitMargin, AFactorAbove1OfAFailureHasItsReason) {
+  const auto text = [](const json& last_level_m) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "limit_margin_above_1";
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "margin.json")
+        << json{{"factor", 5.088}, {"level_m", last_level_m}, {"mechanism", {{"text", "block \"a\" slides"}}}};
+    json summary = {{"outcome", "fails"}, {"warnings", json::array()}, {"failure", {{"level_m", 4.1525}}}};
+    LimitMargin(folder).add_to(summary);
+    std::filesystem::remove_all(folder);
+    return summary["limit_analysis"]["text"].get<std::string>();
+  };
+  EXPECT_THAT(text(2), testing::HasSubstr("at a level of 2 m: block \"a\" slides; above 1, as that is the scene's last "
+                                          "level: it failed at 4.152 m"));
+  EXPECT_THAT(text(4.2), testing::HasSubstr("above 1 although it fails, as an upper bound may be"));
+  EXPECT_THAT(text(nullptr), testing::HasSubstr("above 1 although it fails, as an upper bound may be"));
+}
+
 TEST(LimitMargin, ManyRigidBlocksThatStandPointToSafety) {
   const auto text = [](const char* outcome, bool any_forces) {
     return told(outcome, 1.5, true, any_forces)["limit_analysis"]["text"].get<std::string>();

@@ -83,7 +83,7 @@ TEST_F(SceneEntries, WhatTheCommandLineSetsOverAVariantStaysItsOwn) {
 }
 
 TEST_F(SceneEntries, AWarningOfWhatAVariantSetsIsToldAtItsLine) {
-  const auto read = read_variant(with_variant("'analysis.gravity_m_per_s2=981'"), "v");
+  const auto read = read_variant(with_variant("'analysis.gravity_m_per_s2=10.1'"), "v");
   ASSERT_THAT(read.warnings, testing::SizeIs(1));
   EXPECT_EQ(read.warnings[0].line, 56);
 }

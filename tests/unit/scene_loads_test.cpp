@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <tuple>
 
 #include "tests/unit/scene_sample.hpp"
 
@@ -15,7 +16,10 @@ using sample::errors;
 using sample::expect_error;
 using sample::SceneFolder;
 using sample::text;
+using sample::warnings;
 using sample::with;
+using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -232,6 +236,39 @@ TEST_F(SceneRecord, FaultsNameTheFileAndItsLine) {
   std::string rows;
   for (int i = 0; i <= 100'000; ++i) rows += "1\n";
   EXPECT_THAT(complaint(rows, ", step_s = 1"), HasSubstr("more than 100000 rows"));
+}
+
+/// The structure of the sample alone.
+const std::string structure = text.substr(0, text.find("[[joints]]"));
+
+/// Forces in kN and pressures in kPa press on a block of 300 kN as good as nothing.
+TEST(SceneLoads, ThoseThatAreNextToNothingBesideTheBlocksWeight) {
+  const auto loaded = [](const std::string& list, const std::string& values) {
+    return structure + fmt::format("[[{}]]\nblock = \"top\"\n{}\n", list, values);
+  };
+  for (const auto& [list, values, unit] :
+       {std::tuple{"point_load", "point_m = [0, 4]\nforce_n_per_m = [{}, 0]", 1.0},
+        {"face_pressure", "from_m = [0, 4]\nto_m = [0, 2]\npressure_pa = {}", 2.0},
+        {"line_load", "from_m = [0, 4]\nto_m = [0, 2]\nforce_x_n_per_m2 = {}", 2.0}}) {
+    const std::string text = values;
+    const auto with_value = [&](double newtons) {
+      return loaded(list, fmt::format(fmt::runtime(text), newtons / unit));
+    };
+    EXPECT_THAT(warnings(with_value(60)),
+                Contains(AllOf(HasSubstr(fmt::format("a [[{}]] on block \"top\" is 60 N", list)),
+                               HasSubstr("is it in kN, kPa or MN?"))));
+    EXPECT_THAT(warnings(with_value(60e3)), IsEmpty()) << list;
+  }
+}
+
+/// A dam of 25 m with a joint each 1500 m, in millimetres.
+TEST(SceneLoads, LengthsBeyondTheStructure) {
+  const std::string sound = structure;
+  EXPECT_THAT(warnings(with("[joint]\n", "[joint]\ncohesion_pa = 1e5\nbonded_length_m = 250\n", sound)),
+              Contains(AllOf(HasSubstr("bonded_length_m in [joint] is 250 m in a structure of"),
+                             HasSubstr("no joint is that long"), HasSubstr("if it is in mm, write 0.25"))));
+  EXPECT_THAT(warnings(with("name = \"top\"\n", "name = \"top\"\nmesh_size_m = 200\n", sound)),
+              Contains(HasSubstr("mesh_size_m in [[block]] \"top\" is 200 m")));
 }
 
 }  // namespace

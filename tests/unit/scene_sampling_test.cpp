@@ -56,12 +56,12 @@ TEST(SceneSampling, ASineThatIsFasterThanTenLooks) {
 /// Steps of a dynamic analysis take up the rows' mean; one that looks for rest has no impulse.
 TEST(SceneSampling, ALoadThatComesAndGoesWithinAStep) {
   const std::string pulse =
-      "force_x_n_per_m = { table = [[0, 0], [0.101, 0], [0.105, 9], [0.109, 0]] }\n"
+      "force_x_n_per_m = { table = [[0, 0], [0.101, 0], [0.105, 900], [0.109, 0]] }\n"
       "force_y_n_per_m = 0";
   const std::string pushed = with("force_n_per_m = [100, -200]", pulse);
   EXPECT_THAT(warnings(pushed), IsEmpty());
   expect_error(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"quasi-static\"", pushed), 39,
-               {"force_x_n_per_m in [[point_load]] is 9 at 0.105 s, which the run does not read"});
+               {"force_x_n_per_m in [[point_load]] is 900 at 0.105 s, which the run does not read"});
   EXPECT_THAT(warnings(with("duration_s = 2.0", "duration_s = 2.0\nkind = \"static\"", pushed)),
               Not(Contains(HasSubstr("which the run does not read"))));
 }

@@ -129,7 +129,7 @@ TEST(SceneViscousBoundary, WarnsOfLoadsThatMoveTheGroundForGood) {
               ElementsAre(AllOf(StartsWith("s.toml:25: warning: the upstream level changes in the run and stays so"),
                                 HasSubstr("by 5.41 mm in every second"), HasSubstr("from time 0 on"))));
   EXPECT_THAT(warned("[[point_load]]\nblock = \"wall\"\npoint_m = [0, 5]\n"
-                     "force_x_n_per_m = { table = [[0, 0], [1, 1]] }\n"),
+                     "force_x_n_per_m = { table = [[0, 0], [1, 1000]] }\n"),
               ElementsAre(HasSubstr("a [[point_load]] changes")));
   EXPECT_THAT(water("2"), IsEmpty());
   EXPECT_THAT(water("{ table = [[0, 2], [0.5, 3], [1, 2]] }"), IsEmpty());

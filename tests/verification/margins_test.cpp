@@ -31,7 +31,7 @@ Margins margins_of(const scene::Scene& scene) {
   solid.settle({});
   run(solid, 0.05);
   Margins margins;
-  margins.look(solid, 0.05, 0);
+  margins.look(solid, 0.05, Levels{0});
   return margins;
 }
 

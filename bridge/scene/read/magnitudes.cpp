@@ -174,6 +174,26 @@ void check_lengths(const toml::table& file, const Scene& scene, double size_m, P
   }
 }
 
+/// What is far longer than the structure has no effect in it.
+void check_spacings(const toml::table& file, double size_m, Problems& problems) {
+  constexpr double most = 20;  // in millimetres it is a thousand times as long
+  for (const auto& [section, key, effect] :
+       {std::tuple{"joint_set[]", "spacing_m", "one of its joints at most crosses it"},
+        {"joint", "bonded_length_m", "no joint is that long"},
+        {"block[]", "mesh_size_m", "the mesh is as if it were not stated"}}) {
+    each_table(file, section, [&, key = key, effect = effect](const std::string& name, const toml::table& table) {
+      const toml::node* node = table.get(key);
+      const auto length_m = node == nullptr || !node->is_number() ? std::nullopt : node->value<double>();
+      if (!length_m || *length_m <= most * size_m) return;
+      problems.warning(problems.at(node->source()),
+                       fmt::format("{} in {} is {:.4g} m in a structure of {:.3g} m, which is unusual: {}", key, name,
+                                   *length_m, size_m, effect),
+                       fmt::format("up to {:.3g} m, {:g} times its size", most * size_m, most),
+                       fmt::format("if it is in mm, write {:.4g}", *length_m / 1000));
+    });
+  }
+}
+
 /// A run of so many steps would not end.
 void check_steps(const toml::table& file, const Scene& scene, Problems& problems) {
   constexpr double most = 1e8;
@@ -257,10 +277,12 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
   check_steps(file, scene, problems);
   check_counts(file, scene, problems);
   check_lengths(file, scene, size_m, problems);
+  check_spacings(file, size_m, problems);
   check_size(scene, size_m, problems);
   check_crack_width(file, scene, size_m, problems);
   check_proportions(file, scene, problems);
   check_levels(file, scene, problems);
+  check_small_loads(file, scene, problems);
   check_gaps(scene, problems);
   check_hovering(scene, problems);
   check_corner_stands(scene, problems);

@@ -47,6 +47,9 @@ void check_magnitudes(const toml::table& file, const Scene& scene, Problems& pro
 /// Warns of faces that are almost, but not quite, in contact in a structure that starts at rest.
 void check_gaps(const Scene& scene, Problems& problems);
 
+/// Warns of loads that are less than a thousandth of the weight of the block that bears them.
+void check_small_loads(const toml::table& file, const Scene& scene, Problems& problems);
+
 /// Warns of two or more blocks that touch nothing that holds them, in a structure that starts at rest.
 void check_hovering(const Scene& scene, Problems& problems);
 

@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "bridge/scene/read/nearest.hpp"
 #include "bridge/scene/read/reading.hpp"
@@ -147,6 +148,14 @@ void read_openfoam(TableReader& table, Reading& reading) {
   const Range tolerance{[](double t) { return t >= 0 && t <= 1e-3; }, "a number from 0 to 0.001"};
   table.text("case", o.own_case);
   table.integer("processes", o.processes, 1);
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  constexpr int many = 4;  // for each core: each process has a mesh of its own to begin with
+  if (o.processes > many * cores) {
+    reading.problems.warning(
+        table.place("processes"),
+        fmt::format("processes = {} in [fluid] on a machine of {} cores, which is unusual", o.processes, cores),
+        fmt::format("up to {}", cores), "write as many as there are cores");
+  }
   table.flag("reconstruct", o.reconstruct);
   table.integer("cells_in_depth", o.cells_in_depth, 4);
   table.number("upstream_depths", o.upstream_depths, positive());
