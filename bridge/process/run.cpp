@@ -196,7 +196,9 @@ RunResult go(const scene::Scene& scene, const fs::path& folder, std::uint64_t fi
   const std::uint64_t last = resumable_window(folder, scene);
   const bool refused_to_resume = result.refused && first > 0 && last == first;  // as where a checkpoint is damaged
   const bool goes_on = last > 0 && !refused_to_resume && !ends_there_again(folder);
-  if (!result.trouble.empty()) result.advice = advice_of(scene, folder, goes_on, !result.refused && last == 0);
+  const bool killed = result.trouble.find("ended by signal") != std::string::npos;  // or what one of them has started
+  const bool too_early = last == 0 && (killed || !result.refused);
+  if (!result.trouble.empty()) result.advice = advice_of(scene, folder, goes_on, too_early);
   result.exit_code = supervised.interrupted ? 130 : supervised.all_fine() ? 0 : 1;
   if (result.exit_code == 0) forget_checkpoints(folder);
   complete_summary(folder, fluid_name(scene), result, asks ? &margin : nullptr, seconds_since(start));

@@ -134,9 +134,14 @@ std::string factors_text(const json& cases, const char* of_all) {
                         : enough.get<bool>() ? "yes"
                                              : "NO");
   }
+  const bool fails_unasked = std::any_of(
+      cases.begin(), cases.end(), [](const json& c) { return c["outcome"] == "fails" && c["required"].is_null(); });
   return text + told_of(cases, of_all) +
          "factor: c and tan(phi) of all joints divided by it, the blocks just stand\n"
-         "limit:  the same by limit analysis, an upper bound\n";
+         "limit:  the same by limit analysis, an upper bound\n" +
+         (fails_unasked
+              ? "enough: what fails has no required_factor in a [[load_case]], so the exit status is not 1 for it\n"
+              : "");
 }
 
 /// Joints of one name, as those of a set, with their elevations.

@@ -72,12 +72,13 @@ void StaticAnalysis::come_to_rest(const std::vector<Panel>& water, double at_s, 
 }
 
 void StaticAnalysis::find_rest(const std::vector<Panel>& water, double at_s, const Search& search) {
-  constexpr double shortest = 1e-6;  // of the pseudo-step that the search begins with
-  constexpr double brief = 1e-3;     // the same: inertia then keeps what is swept from another state of rest
-  constexpr int few_blocks = 10;     // Newton's method finds their states, or they fail
+  constexpr double shortest = 1e-6;     // of the pseudo-step that the search begins with
+  constexpr double brief = 1e-3;        // the same: inertia then keeps what is swept from another state of rest
+  constexpr double short_share = 1e-2;  // the same: shorter steps hardly move anything
+  constexpr int stuck_after = 20;       // of these in a row
   const double longest = model_.pseudo_step_s();
   const StepMode still{.scheme = {.damps = false}};
-  const bool many_states = std::count(trial_.frozen.begin(), trial_.frozen.end(), false) > few_blocks;
+  int short_steps = 0;
   const double before_m = state_.largest_displacement_m(model_);
   const double slipped_m = state_.largest_slip_m();
   const double far_m = model_.scene.analysis.failure_displacement_m;
@@ -88,8 +89,9 @@ void StaticAnalysis::find_rest(const std::vector<Panel>& water, double at_s, con
     state_.stop();
     const Stretch stretch{dt, at_s, water};
     Outcome outcome = methods_.try_all(stretch, still);
-    // A bond is about to break, or there are too many states to find some among: sweeps come near.
-    if (outcome == Outcome::not_found && (many_states || dt < brief * longest)) {
+    // A bond is about to break, or there are too many states to find some among: sweeps come near. They would find a
+    // rest that blocks which fail never come to, so that these are followed first.
+    if (outcome == Outcome::not_found && (short_steps >= stuck_after || dt < brief * longest)) {
       outcome = time_step_.attempt(stretch, still.with_sweeps());
     }
     if (outcome != Outcome::made) {
@@ -99,6 +101,8 @@ void StaticAnalysis::find_rest(const std::vector<Panel>& water, double at_s, con
       continue;
     }
     ++state_.rest.steps;
+    short_steps = dt < short_share * longest || short_steps >= stuck_after ? short_steps + 1 : 0;
+    if (short_steps == stuck_after) dt = longest, failed = std::numeric_limits<double>::infinity();
     const double before = std::exchange(state_.rest.unbalanced, unbalanced_ratio());
     state_.rest.found = !time_step_.any_swept() && state_.rest.unbalanced <= search.balanced;
     // Strain and settlement halve the imbalance, however far they go; sliding and rotation do not.

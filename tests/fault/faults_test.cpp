@@ -186,7 +186,9 @@ TEST_F(Faults, AnUnknownVariantIsRefused) {
 
 TEST_F(Faults, APlotOfNoRunIsRefused) {
   EXPECT_EQ(shell(programs + "/blockweir plot nowhere"), 2);
-  EXPECT_THAT(text("out"), HasSubstr("found no such file, or an empty one; expected the folder of a run"));
+  EXPECT_THAT(
+      text("out"),
+      HasSubstr("found no such file, an empty one, or one that you may not read; expected the folder of a run"));
 }
 
 TEST_F(Faults, AProgramOfAnotherFluidThanTheScenesIsRefused) {
