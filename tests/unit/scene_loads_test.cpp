@@ -251,7 +251,7 @@ TEST(SceneLoads, ThoseThatAreNextToNothingBesideTheBlocksWeight) {
         {"face_pressure", "from_m = [0, 4]\nto_m = [0, 2]\npressure_pa = {}", 2.0},
         {"line_load", "from_m = [0, 4]\nto_m = [0, 2]\nforce_x_n_per_m2 = {}", 2.0}}) {
     const std::string text = values;
-    const auto with_value = [&](double newtons) {
+    const auto with_value = [&, list = list, unit = unit](double newtons) {
       return loaded(list, fmt::format(fmt::runtime(text), newtons / unit));
     };
     EXPECT_THAT(warnings(with_value(60)),
