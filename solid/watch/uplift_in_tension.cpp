@@ -47,21 +47,40 @@ const char* makes_of_a_crack(Uplift law) {
   }
 }
 
-/// The law of the water between these ends, where all of the joint or that at its upstream end has one of those above.
-std::optional<Uplift> law_of(const scene::Scene& scene, const std::vector<Crack>& cracks, const Ends& ends) {
-  const auto crack = std::find_if(cracks.begin(), cracks.end(), [&](const Crack& c) { return are_of(ends, c); });
-  if (crack != cracks.end()) return crack->law;
-  constexpr double strained = 1e-2;
-  const double near_m = strained * (ends.downstream_m - ends.upstream_m).norm();
-  for (const Uplift law : {Uplift::flow, Uplift::none}) {
-    for (const Crack& joint : scene::find_joints(scene, law)) {
-      for (const Point& end : {joint.mouth(), joint.end()}) {
-        if ((end - ends.upstream_m).norm() < near_m) return law;
-      }
-    }
+/// The scene's joints by the law of their water, looked for once.
+class LawsOfJoints {
+ public:
+  explicit LawsOfJoints(const scene::Scene& scene)
+      : cracks_(scene::find_cracks(scene)),
+        flow_(scene::find_joints(scene, Uplift::flow)),
+        dry_(scene::find_joints(scene, Uplift::none)) {}
+
+  /// The law of the water between these ends, where all of the joint or that at its upstream end takes it to be closed.
+  [[nodiscard]] std::optional<Uplift> closing(const Ends& ends) const {
+    const auto law = between(ends);
+    return law && makes_of_a_crack(*law) != nullptr ? law : std::nullopt;
   }
-  return std::nullopt;
-}
+
+ private:
+  [[nodiscard]] std::optional<Uplift> between(const Ends& ends) const {
+    const auto crack = std::find_if(cracks_.begin(), cracks_.end(), [&](const Crack& c) { return are_of(ends, c); });
+    if (crack != cracks_.end()) return crack->law;
+    if (begins_at(flow_, ends)) return Uplift::flow;
+    if (begins_at(dry_, ends)) return Uplift::none;
+    return std::nullopt;
+  }
+  static bool begins_at(const std::vector<Crack>& joints, const Ends& ends) {
+    constexpr double strained = 1e-2;
+    const double near_m = strained * (ends.downstream_m - ends.upstream_m).norm();
+    return std::any_of(joints.begin(), joints.end(), [&](const Crack& joint) {
+      return (joint.mouth() - ends.upstream_m).norm() < near_m || (joint.end() - ends.upstream_m).norm() < near_m;
+    });
+  }
+
+  std::vector<Crack> cracks_;
+  std::vector<Crack> flow_;
+  std::vector<Crack> dry_;
+};
 
 /// The level of the pool at the end that opens, the one farther from the resultant; none: there is air in the crack.
 std::optional<double> level_at_the_mouth(const Levels& levels, const Ends& ends, double resultant_from_downstream) {
@@ -83,12 +102,12 @@ std::string words(const std::string& joint, const std::string& when, double shar
 std::vector<std::string> uplift_warnings(const scene::Scene& scene, const Levels& levels,
                                          const std::vector<JointRow>& rows) {
   std::vector<std::string> warnings;
-  const std::vector<Crack> cracks = scene::find_cracks(scene);
+  const LawsOfJoints laws(scene);
   for (const JointRow& row : rows) {
     if (row.cracked_length_m <= seen * row.faces_length_m) continue;
     const Ends ends{row.upstream_end_m, row.downstream_end_m};
-    const auto law = law_of(scene, cracks, ends);
-    if (!law || makes_of_a_crack(*law) == nullptr) continue;
+    const auto law = laws.closing(ends);
+    if (!law) continue;
     if (!level_at_the_mouth(levels, ends, *row.resultant_from_downstream)) continue;
     warnings.push_back(words(row.name, "", row.cracked_length_m / row.faces_length_m, *law));
   }
@@ -112,14 +131,15 @@ void OpenedJoints::look(const Surfaces& surfaces, const std::vector<SurfaceSum>&
 }
 
 std::string OpenedJoints::warning(const scene::Scene& scene) const {
-  const std::vector<Crack> cracks = scene::find_cracks(scene);
+  if (std::none_of(opened_.begin(), opened_.end(), [](const Opened& o) { return o.share > 0; })) return {};
+  const LawsOfJoints laws(scene);
   const Opened* worst = nullptr;
   Uplift its_law{};
   int others = -1;
   for (const Opened& opened : opened_) {
     if (opened.share == 0) continue;
-    const auto law = law_of(scene, cracks, {opened.upstream_end_m, opened.downstream_end_m});
-    if (!law || makes_of_a_crack(*law) == nullptr) continue;
+    const auto law = laws.closing({opened.upstream_end_m, opened.downstream_end_m});
+    if (!law) continue;
     ++others;
     if (worst != nullptr && worst->share >= opened.share) continue;
     worst = &opened;
